@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bw/core/base/units.h"
@@ -13,6 +16,7 @@
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/run_identity.h"
+#include "bw/pipeline/simulate.h"
 
 namespace bw::pipeline {
 namespace {
@@ -76,6 +80,59 @@ TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   // One that is made around the surface is as low as that asks for.
   design.block().placement.reset();
   for (const Finding& finding : evaluated(design).findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
+}
+
+/// A surface so low over the bottom of its block that the grips of a slack arc would lie below it.
+Design lowRipple() {
+  Design design = exampleDesign("ripple-along").value();
+  design.sources[0].surface = DesignedSurface{FormulaSurface{{{0, 0}, {600, 800}}, "24+6*sin(pi*x/600)+0*y"}};
+  design.output.cell = "irb1600-pair";
+  design.output.programs = {"json"};
+  return design;
+}
+
+TEST(DesignedSurface, TheFloorIsKeptOnTheWholeWay) {
+  const Design design = lowRipple();
+  const Evaluation e = evaluated(design);
+  ASSERT_TRUE(e.result());
+  EXPECT_FALSE(exceedsLimit(e.findings()));
+  for (const MotionInstant& instant : e.cut().motion.value->instants)
+    for (const Pose& grip : instant.poses) EXPECT_GE(grip.position.z(), kFloor - 1e-6);
+  // A program whose way in is lower is found so.
+  const Cell cell = loadCell(design.output.cell).value();
+  const auto exceeded = [&](double down) {
+    Motion motion = *e.cut().motion.value;
+    for (std::size_t i = 0; motion.instants[i].station < 0; ++i)
+      for (Pose& grip : motion.instants[i].poses) grip.position.z() -= down;
+    const ProgramRun run = runProgram(robotio::writeJson(motion, cell).value(), &design, {}).value();
+    return std::ranges::any_of(run.exceeded, [](const std::string& text) {
+      return text.find("the face that the block lies on (floor: 20 mm)") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(exceeded(0));
+  EXPECT_TRUE(exceeded(5));
+}
+
+TEST(DesignedSurface, AHomeOfTheCellBelowTheFloorIsTold) {
+  // The block stands so much higher than in the cell that is there that the home of the robots is below it.
+  Design design = lowRipple();
+  std::ifstream in(*resourceFolder() / "cells" / "irb1600-pair.json");
+  nlohmann::json cell = nlohmann::json::parse(in);
+  cell["work_object"]["pose"]["position"][2] = 1300;
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / "bladewright_low_home_cell.json";
+  std::ofstream(file) << cell.dump();
+  design.output.cell = file.string();
+  design.output.programs = {"rapid"};
+  const Findings told = evaluated(design).cell.findings;
+  std::filesystem::remove(file);
+  const auto low = std::ranges::find(told, FindingKind::floor, &Finding::kind);
+  ASSERT_NE(low, told.end());
+  EXPECT_EQ(low->severity, Severity::warning);
+  EXPECT_FALSE(low->where.stations);
+  EXPECT_LT(std::get<NearBottom>(low->cause).height, 0);
+  design.output.cell = "irb1600-pair";
+  EXPECT_FALSE(std::ranges::count(evaluated(design).cell.findings, FindingKind::floor, &Finding::kind));
 }
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -185,6 +186,64 @@ TEST(EntryExit, AStraightBladeIsLetGoToWhereItsWeightPulls) {
     EXPECT_TRUE(run->snaps.empty());
     EXPECT_LT(run->speedMax, 1.1 * motion.cuttingSpeed);
   }
+}
+
+/// mm of the lowest of the poses over the bottom of the block.
+double lowestOf(const Sweep& sweep, const std::vector<BladePose>& poses) {
+  double lowest = 1e300;
+  for (const BladePose& pose : poses)
+    for (const Vector3d& point : pose.bladePoints(401))
+      lowest = std::min(lowest, sweep.block.frame.toLocal(point).z());
+  return lowest;
+}
+
+TEST(EntryExit, StaysAboveTheFloorAsTheStationDoes) {
+  int lower = 0;
+  for (const double bend : {-0.1, 0.1}) {
+    // All but straight: led out of an arc whose ends lie tens of mm below its middle, or above it.
+    const Elastica half = *Elastica::make({0, 0}, 0, bend / kLength, Vector2d::Zero(), 0.5 * kLength);
+    const Elastica blade = *half.segment(-0.5 * kLength, 0.5 * kLength);
+    const Sweep sweep = rowOf({blade, blade}, -1.7e-4 * Vector3d::UnitZ());
+    const double station = lowestOf(sweep, sweep.poses), floor = station - 1;
+    const EntryExit unasked = planEntryExit(sweep, {}, {}).value(),
+                    asked = planEntryExit(sweep, {.floor = floor}, {}).value();
+    const MotionRequest motion{.floor = floor};
+    Findings told, none;
+    const Motion low = buildMotion(sweep, unasked, sweep.poses, motion, told).value();
+    ASSERT_TRUE(buildMotion(sweep, asked, sweep.poses, motion, none));
+    EXPECT_FALSE(test::findingOf<NearBottom>(none));
+    for (const bool entry : {true, false}) {
+      const std::vector<BladePose>&is = entry ? asked.entry.poses : asked.exit.poses,
+            &was = entry ? unasked.entry.poses : unasked.exit.poses;
+      ASSERT_FALSE(is.empty());
+      ASSERT_EQ(is.size(), was.size());
+      EXPECT_GE(lowestOf(sweep, is), floor - 0.01);
+      // The shapes are the same, the one next to the station where it was.
+      for (std::size_t i = 0; i < is.size(); ++i)
+        EXPECT_NEAR((is[i].leftPoint() - is[i].rightPoint()).norm(),
+                    (was[i].leftPoint() - was[i].rightPoint()).norm(), 1e-9);
+      const auto atStation = [entry](const std::vector<BladePose>& way) {
+        return entry ? way.back().leftPoint() : way.front().leftPoint();
+      };
+      EXPECT_NEAR((atStation(is) - atStation(was)).norm(), 0, 1e-9);
+    }
+    if (lowestOf(sweep, unasked.entry.poses) >= floor) continue;
+    ++lower;
+    // Told of the way in and of the way out, with the lowest place.
+    ASSERT_EQ(std::ranges::count(told, FindingKind::floor, &Finding::kind), 2);
+    const Finding* in = test::findingOf<NearBottom>(told);
+    EXPECT_EQ(*in->where.stations, (StationRange{-1, 0, 0, 0}));
+    EXPECT_EQ(*told.back().where.stations, (StationRange{1, -1, 1, 0}));
+    EXPECT_NEAR(std::get<NearBottom>(in->cause).height, lowestOf(sweep, unasked.entry.poses), 0.05);
+    EXPECT_NEAR(sweep.block.frame.toLocal(*in->where.point).z(), std::get<NearBottom>(in->cause).height, 1);
+    EXPECT_TRUE(exceedsLimit(told));
+    // A station that is as low is told of by the check of the row.
+    Findings known;
+    const EntryExit beside = planEntryExit(sweep, {.floor = station + 5}, {}).value();
+    ASSERT_TRUE(buildMotion(sweep, beside, sweep.poses, {.floor = station + 5}, known));
+    EXPECT_FALSE(test::findingOf<NearBottom>(known));
+  }
+  EXPECT_EQ(lower, 1);
 }
 
 TEST(EntryExit, SaysWhereNoWayIsKnown) {

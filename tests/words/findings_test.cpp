@@ -124,6 +124,22 @@ TEST(Findings, TellTheRemediesTheyHold) {
           .find("the blade would be 3 mm below the face that the block lies on; a block that reaches 23 "
                 "mm lower keeps it"),
       std::string::npos);
+  // A range that counts no station is the way between its ends, outside of the row where there is none.
+  EXPECT_NE(
+      said(NearBottom{-3, 20}, StationRange{-1, 0, 0, 0})
+          .find("on the way in, before station 1, the blade would be 3 mm below the face that the block"),
+      std::string::npos);
+  EXPECT_NE(said(NearBottom{12.4, 20}, StationRange{32, -1, 32, 0})
+                .find("on the way out, after station 33, the blade passes the face"),
+            std::string::npos);
+  EXPECT_NE(said(NearBottom{12.4, 20}, StationRange{4, 5, 4, 0})
+                .find("on the way from station 5 to station 6 the blade passes the face"),
+            std::string::npos);
+  EXPECT_NE(
+      said(NearBottom{-3, 20})
+          .find("at the cell's home, as the program begins, the blade would be 3 mm below the face that "
+                "the block lies on; a home that lies 23 mm higher keeps it"),
+      std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {OtherLength{700}}).find("; try one of 700 mm"),
             std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {BendingBlade{198, "rod", "Rod", 150}})

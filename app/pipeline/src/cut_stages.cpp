@@ -388,7 +388,7 @@ Result<void> ask(const CutWork& work, double& seconds, FirmRow& firm) {
 /// The way into the row and out of it.
 Result<void> lead(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::ends, entryExitRequest(work.design), {e.sweep.value}, seconds,
+  return work.settle(&CutEvaluation::ends, entryExitRequest(work.design, work.cut), {e.sweep.value}, seconds,
                      [&](const EntryExitRequest& request, Findings& findings) {
                        Result<EntryExit> ends = planEntryExit(*e.sweep.value, request, work.context);
                        if (ends) findings = ends->findings;
@@ -532,7 +532,7 @@ Result<void> check(const CutWork& work) {
     if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
     if (!ok) return ok;
   }
-  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
+  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design, work.cut), {e.ends.value, e.way.value},
                    work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
                      return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
                    });

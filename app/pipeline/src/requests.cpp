@@ -16,6 +16,13 @@ namespace {
 /// followed.
 constexpr double kLongestOpen = 2;
 
+/// Asked of blocks that are given.
+std::optional<double> floorOf(const Design& design, const Cut& cut) {
+  const auto block = std::ranges::find(design.stock, cut.block, &StockBlock::id);
+  if (block == design.stock.end() || !block->placement) return {};
+  return design.process.floor;
+}
+
 }  // namespace
 
 Blade bladeOf(const Design& design, const Cut& cut) {
@@ -49,8 +56,7 @@ CheckRequest checkRequest(const Design& design, const Cut& cut) {
   const Process& p = design.process;
   CheckRequest request{p.tolerance, p.clearance, p.cuttingSpeed,
                        p.margin,    p.gripError, fromDegrees(p.gripAngle)};
-  const auto block = std::ranges::find(design.stock, cut.block, &StockBlock::id);
-  if (block != design.stock.end() && block->placement) request.floor = p.floor;
+  request.floor = floorOf(design, cut);
   return request;
 }
 
@@ -70,7 +76,7 @@ Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
   LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design, cut),
-                        entryExitRequest(design)};
+                        entryExitRequest(design, cut)};
   request.fit.blade.length = Blade().length;
   return request;
 }
@@ -91,12 +97,13 @@ FollowRequest followRequest(const Design& design) {
   return {design.process.motionTolerance, design.process.cuttingSpeed};
 }
 
-EntryExitRequest entryExitRequest(const Design& design) {
-  return {design.process.margin, design.process.lead};
+EntryExitRequest entryExitRequest(const Design& design, const Cut& cut) {
+  return {design.process.margin, design.process.lead, floorOf(design, cut)};
 }
 
-MotionRequest motionRequest(const Design& design) {
-  return {design.process.cuttingSpeed, design.process.lead, design.process.motionTolerance};
+MotionRequest motionRequest(const Design& design, const Cut& cut) {
+  return {design.process.cuttingSpeed, design.process.lead, design.process.motionTolerance,
+          floorOf(design, cut)};
 }
 
 FileStamp FileStamp::of(const std::filesystem::path& file) {

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "bw/core/base/units.h"
 #include "bw/core/simulation/run_kerf.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
@@ -125,6 +128,28 @@ void judgeBarriers(const std::vector<BarrierLook>& looks, std::vector<std::strin
         " s the blade may rest in another shape, and how little brings it over could not be found");
 }
 
+/// Where the whole blade comes below the floor of a block that is given, or beyond what the motion tolerance
+/// leaves of it.
+void judgeFloor(const Simulation& simulation, const CutEvaluation& cut, double motionTolerance,
+                std::vector<std::string>& exceeded) {
+  const std::optional<double> floor = cut.check.request.floor;
+  if (!floor || simulation.blades.empty()) return;
+  constexpr int kPlaces = 101;
+  double least = std::numeric_limits<double>::infinity(), time = 0;
+  const SurfaceGrid swept = simulation.swept(kPlaces);
+  for (std::size_t r = 0; r < simulation.blades.size(); ++r) {
+    const std::span points(&swept.points[r * kPlaces], std::size_t(kPlaces));
+    const double height = lowestPlace(cut.setup->block, points).height;
+    if (height >= least) continue;
+    least = height;
+    time = simulation.blades[r].time;
+  }
+  if (least < *floor - motionTolerance)
+    exceeded.push_back("at " + shortText(time, 4) + " s the blade is " + shortText(std::abs(least)) +
+                       (least < 0 ? " mm below" : " mm above") +
+                       " the face that the block lies on (floor: " + shortText(*floor) + " mm)");
+}
+
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
@@ -218,6 +243,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     run.barriers = std::move(*barriers);
     run.exceeded = judge(*design, run.simulation, *surface);
     judgeBarriers(run.barriers, run.exceeded);
+    judgeFloor(run.simulation, *cut, design->process.motionTolerance, run.exceeded);
     const std::vector<std::string> errors =
         words::errorsOf(outcome.evaluation.findings(), words::Reader::commandLine);
     if (!errors.empty())

@@ -203,13 +203,26 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
   return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
 }
 
+/// Where a blade comes near to the face that its block lies on: at stations, on a way beside them, or, with
+/// none, where the cell holds it before the motion.
+static std::string lowAt(const Finding& finding, const std::string& atStations) {
+  if (!finding.where.stations) return "at the cell's home, as the program begins, ";
+  const StationRange& range = *finding.where.stations;
+  if (range.count > 0) return atStations;
+  if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
+  if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
+  return "on the way from " + stationName(range.first) + " to " + stationName(range.last) + " ";
+}
+
 std::string Sentences::operator()(const NearBottom& cause) const {
+  const bool atHome = !finding.where.stations;
   const std::string text =
-      at() + (cause.height < 0
-                  ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
-                  : "the blade passes the face that the block lies on at " + mm(cause.height) +
-                        ", less than the floor of " + mm(cause.floor));
-  return text + "; a block that reaches " + mm(std::ceil(cause.floor - cause.height)) + " lower keeps it";
+      lowAt(finding, atHome ? std::string() : at()) +
+      (cause.height < 0 ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
+                        : "the blade passes the face that the block lies on at " + mm(cause.height) +
+                              ", less than the floor of " + mm(cause.floor));
+  return text + (atHome ? "; a home that lies " : "; a block that reaches ") +
+         mm(std::ceil(cause.floor - cause.height)) + (atHome ? " higher keeps it" : " lower keeps it");
 }
 
 std::string Sentences::operator()(const SteepAngle& cause) const {

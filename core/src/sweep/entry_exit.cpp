@@ -12,6 +12,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/held_blade.h"
+#include "sweep/remedies.h"
 
 namespace bw {
 
@@ -152,6 +153,24 @@ BladeWay End::plan() const {
               shortText(asked, 2)};
 }
 
+/// Moves the poses of a way, from the arc to that of the station, up in their planes, so that none comes
+/// lower than the floor, or than the last one where that is lower already: the arc by most, and each next one
+/// evenly by less. An upright move changes no shape.
+void raise(const Sweep& sweep, double floor, std::vector<BladePose>& way) {
+  constexpr double kLying = 0.1;  // of 1: planes that lie so flat are not raised in
+  const Eigen::Vector3d &up = sweep.block.frame.normal, &d = sweep.planes.direction();
+  const Eigen::Vector3d upright = up - up.dot(d) * d;
+  if (way.size() < 2 || upright.norm() < kLying) return;
+  const double least = std::min(floor, sweep::aboveBottom(sweep.block, way.back()));
+  const auto last = double(way.size() - 1);
+  double rise = 0;  // mm, of the arc
+  for (std::size_t k = 0; k + 1 < way.size(); ++k)
+    rise = std::max(rise, (least - sweep::aboveBottom(sweep.block, way[k])) / (1 - double(k) / last));
+  // The way along the planes for a mm of height.
+  const Eigen::Vector3d move = rise / upright.squaredNorm() * upright;
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) way[k].frame.origin += (1 - double(k) / last) * move;
+}
+
 }  // namespace
 
 Result<EntryExit> planEntryExit(const Sweep& sweep, const EntryExitRequest& request,
@@ -164,13 +183,14 @@ Result<EntryExit> planEntryExit(const Sweep& sweep, const EntryExitRequest& requ
     const bool entry = i == 0;
     const BladePose& pose = entry ? sweep.poses.front() : sweep.poses.back();
     BladeWay way = End(sweep, pose, request).plan();
-    if (!entry) std::ranges::reverse(way.poses);
     const double level = entry ? sweep.planes.entry - away : sweep.planes.exit + away;
     for (BladePose& at : way.poses) {
       at.index = -1;
       at.travel = sweep.planes.travel(level);
       at.frame.origin += (level - d.dot(pose.frame.origin)) * d;
     }
+    if (request.floor) raise(sweep, *request.floor, way.poses);
+    if (!entry) std::ranges::reverse(way.poses);
     (entry ? plan.entry : plan.exit) = std::move(way);
   };
   if (Result<void> ok = parallelFor(context, 2, end); !ok) return tl::unexpected<Error>(ok.error());

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
+#include "sweep/floor_watch.h"
 #include "sweep/held_blade.h"
 
 namespace bw {
@@ -120,6 +122,11 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   double time = 0;
   const BladePose* before = nullptr;
   double shifted = 0;
+  sweep::FloorWatch floor(sweep.block, request.floor);
+  const auto watch = [&](std::vector<Eigen::Vector3d> points, double shift, int station) {
+    for (Eigen::Vector3d& point : points) point += shift * d;
+    floor.see(points, station);
+  };
   // The blade goes on to a pose, moved by so much along the travel.
   const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
     if (before) {
@@ -131,7 +138,10 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
           fastest =
               std::max(fastest, parts * (ways[k][i] - ways[k - 1][i] + (shift - shifted) / parts * d).norm());
       time += std::max(fastest / cuttingSpeed, least);
+      for (std::size_t k = 1; k + 1 < ways.size(); ++k)
+        watch(ways[k], std::lerp(shifted, shift, double(k) / parts), -1);
     }
+    watch(pose.points(arcs), shift, station);
     before = &pose;
     shifted = shift;
     const Eigen::Vector3d move = shift * d, n = pose.frame.normal;
@@ -160,6 +170,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     go(sweep.poses.back(), leadOut, -1);
   for (std::size_t i = 0; i < ends.exit.poses.size(); ++i)
     go(ends.exit.poses[i], 0, -1, i == 0 ? 0 : kLeastBend);
+  std::ranges::move(floor.told(), std::back_inserter(findings));
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {
       Eigen::Quaterniond& q = motion.instants[i].poses[e].rotation;

@@ -86,8 +86,8 @@ LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lie
 JointRequest jointRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
 FollowRequest followRequest(const Design& design);
-EntryExitRequest entryExitRequest(const Design& design);
-MotionRequest motionRequest(const Design& design);
+EntryExitRequest entryExitRequest(const Design& design, const Cut& cut);
+MotionRequest motionRequest(const Design& design, const Cut& cut);
 
 /// A cell for programs.
 struct CellRequest {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct BladeWay {
 struct EntryExitRequest {
   double margin = 0.15;  ///< of stability, that the blade keeps on the way
   double lead = 20;      ///< mm, of the motion (`MotionRequest`)
+  /// mm above the face that the block lies on; empty where that is not known (`CheckRequest`).
+  std::optional<double> floor = std::nullopt;
   bool operator==(const EntryExitRequest&) const = default;
 };
 
@@ -36,8 +39,9 @@ struct EntryExit {
 
 /// Plans both: the curvature and the force at the middle of the weightless blade go evenly from those of the
 /// arc to those of the station, and its grips hold the blade that hangs. Each of some ways is followed as
-/// robots make it, and the first that keeps the margin (or that of the station, where that is less) is taken
-/// (docs/mathematics.md, sweep). `cancelled` on a stop. Some 3 ms.
+/// robots make it, and the first that keeps the margin (or that of the station, where that is less) is taken.
+/// One that comes below the floor is raised, evenly towards the arc, as far as the planes stand upright, but
+/// not over what the station itself keeps (docs/mathematics.md, sweep). `cancelled` on a stop. Some 3 ms.
 [[nodiscard]] Result<EntryExit> planEntryExit(const Sweep& sweep, const EntryExitRequest& request,
                                               const RunContext& context);
 
@@ -45,7 +49,8 @@ struct EntryExit {
 struct MotionRequest {
   double cuttingSpeed = 20;  ///< mm/s of the fastest point
   double lead = 20;  ///< mm of travel before the first and after the last station, with the shape held
-  double motionTolerance = 0.1;  ///< mm, with which the targets were chosen
+  double motionTolerance = 0.1;                ///< mm, with which the targets were chosen
+  std::optional<double> floor = std::nullopt;  ///< as for `EntryExitRequest`
   bool operator==(const MotionRequest&) const = default;
 };
 
@@ -53,7 +58,9 @@ struct MotionRequest {
 /// four instants from each target to the next, moves at the cutting speed, adds the leads, and puts the ends
 /// in the block frame. Quaternions keep one sign along the path. A lead that would end with a part of the
 /// blade in the block is grown until all of it is outside, which a finding tells; so are targets that follow
-/// in less than kTargetSeconds.
+/// in less than kTargetSeconds, and how low the blade comes on the way in, between stations and on the way
+/// out where that is below the floor (`NearBottom`: the range has the stations beside, -1 for none, and
+/// counts 0 of them).
 Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std::vector<BladePose>& targets,
                            const MotionRequest& request, Findings& findings);
 
