@@ -106,6 +106,23 @@ TEST(Advice, AClearanceThatIsAdvisedKeepsWhatNoLengthDoes) {
   EXPECT_FALSE(exceedsLimit(after.findings()));
 }
 
+TEST(Advice, ALengthThatIsAdvisedServesAsItsDesignIsComputed) {
+  // On sections alone several lengths serve, at 41 stations none.
+  Design design = exampleDesign("ripple-along").value();
+  design.output.programs.clear();
+  design.sources[0].surface = DesignedSurface{FormulaSurface{
+      {{0, 0}, {600, 800}}, "250+60*sin(pi*x/600)*cos(2*pi*y/1600)+0.3*(x-300)*sin(2*pi*y/800)"}};
+  design.cut().sections.stations = 41;
+  const Evaluation before = evaluated(design);
+  ASSERT_TRUE(hasErrors(before.findings()));
+  for (const Finding& finding : before.findings())
+    if (const OtherLength* advised = remedyOf<OtherLength>(finding.remedies)) {
+      design.blade.length = advised->length;
+      EXPECT_FALSE(hasErrors(evaluated(design).findings())) << advised->length;
+      break;
+    }
+}
+
 TEST(Advice, NoLengthServesWhoseBladesLieTooFarOffBetweenTheStations) {
   Design design = panel("nicr-flat-5x1", 720);  // at its 12 stations a blade of 675 mm would keep near enough
   design.blade.thickness = 0.6;

@@ -61,6 +61,14 @@ bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
   return false;
 }
 
+/// The length that serves best, but not the one in use where that fails as designed.
+std::optional<double> servingLength(const CutEvaluation& cut) {
+  const std::optional<double>& best = cut.lengths.value->best;
+  if (best && cut.sweep.value && *best == cut.sweep.value->request.blade.length && lengthFails(cut))
+    return {};
+  return best;
+}
+
 /// What serves with grips nearer to the block, where nothing does with the clearance asked for; else null.
 const RowTrial* nearerGrips(const CutEvaluation& cut) {
   if (!cut.lengths.value || cut.lengths.value->best || !cut.clearances.value) return nullptr;
@@ -113,9 +121,9 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
   ServingLengths cause{blade.autoLength ? Said::nearest : Said::none, blade.length,
                        lengths.trials.front().length, lengths.trials.back().length};
   Remedies remedies;
-  if (lengths.best) {
+  if (const std::optional<double> best = servingLength(cut)) {
     cause.said = blade.autoLength ? Said::taken : Said::others;
-    cause.best = *lengths.best;
+    cause.best = *best;
     for (const BladeLengths::Band& band : lengths.bands())
       if (band.from <= cause.best && cause.best <= band.to) {
         cause.from = band.from;
@@ -133,7 +141,7 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
 
 void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade) {
   if (!cut.lengths.value) return;
-  const std::optional<double>& best = cut.lengths.value->best;
+  const std::optional<double> best = servingLength(cut);
   for (Finding& finding : findings) {
     if (!restFails(finding)) continue;
     drop<OtherLength>(finding.remedies);

@@ -15,6 +15,7 @@
 #include "bw/core/sweep/firm_row.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
+#include "tried_advice.h"
 
 namespace bw::pipeline {
 
@@ -170,13 +171,28 @@ Result<void> setOff(const CutWork& work) {
 
 }  // namespace
 
+namespace {
+
+/// What was sought, and of what may be advised what serves as designed. What is not advised is not computed
+/// so.
+template <class Trade>
+Result<Trade> sought(const CutWork& work, bool advised, Result<Trade> trade) {
+  if (!trade || !advised) return trade;
+  confirm(work, *trade);
+  if (work.context.stopped()) return stoppedError();
+  return trade;
+}
+
+}  // namespace
+
 Result<void> seekLengths(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   return work.settle(&CutEvaluation::lengths, lengthsRequest(work), {row}, seconds,
                      [&work, &row](const LengthsRequest& request, Findings&) {
-                       return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
-                                           work.context);
+                       return sought(work, !work.blade().autoLength && lengthFails(work.e),
+                                     bladeLengths(*row, request.lengths, request.setup.block,
+                                                  request.setup.planes, work.context));
                      });
 }
 
@@ -193,11 +209,12 @@ LengthsRequest marginsRequest(const CutWork& work) {
 Result<void> seekMargins(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  return work.settle(&CutEvaluation::margins, marginsRequest(work), {row}, seconds,
-                     [&work, &row](const LengthsRequest& asked, Findings&) {
-                       return marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
-                                          work.context);
-                     });
+  return work.settle(
+      &CutEvaluation::margins, marginsRequest(work), {row}, seconds,
+      [&work, &row](const LengthsRequest& asked, Findings&) {
+        return sought(work, marginFails(work.e),
+                      marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes, work.context));
+      });
 }
 
 namespace {
@@ -217,8 +234,9 @@ Result<void> seekClearances(const CutWork& work, double& seconds) {
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   return work.settle(&CutEvaluation::clearances, clearancesRequest(work), {row}, seconds,
                      [&work, &row](const LengthsRequest& asked, Findings&) {
-                       return clearanceTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
-                                             work.context);
+                       return sought(work, clearanceMayHelp(work.e, work.blade()),
+                                     clearanceTrade(*row, asked.lengths, asked.setup.block,
+                                                    asked.setup.planes, work.context));
                      });
 }
 

@@ -76,7 +76,7 @@ Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
   LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design, cut),
-                        entryExitRequest(design, cut)};
+                        entryExitRequest(design, cut), followRequest(design)};
   request.fit.blade.length = Blade().length;
   return request;
 }

@@ -93,6 +93,10 @@ class Trials {
       trial.rest = Rest::lost;
     else
       trial.deviation = std::max(trial.deviation, *between);
+    if (!trial.serves()) return trial;
+    // As robots move its grips: what it does on the way is all that this finds.
+    const Result<RowMotion> way = followRow(row, request.follow, quiet_);
+    if (!way || !way->findings.empty()) trial.rest = Rest::lost;
     return trial;
   }
 

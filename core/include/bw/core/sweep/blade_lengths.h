@@ -9,6 +9,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_certainty.h"
+#include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/section.h"
 #include "bw/core/sweep/sweep.h"
 #include "bw/core/sweep/sweep_check.h"
@@ -20,6 +21,7 @@ struct LengthRequest {
   FitRequest fit;  ///< but for the length of its blade
   CheckRequest check;
   EntryExitRequest ends;
+  FollowRequest follow = {};  ///< how robots move the blade from station to station
   bool operator==(const LengthRequest&) const = default;
 };
 
@@ -54,11 +56,12 @@ struct BladeLengths {
 /// up, each a fortieth, later a twentieth longer than the one before, as long as it may still serve, then
 /// finer (5 mm) at the ends of what serves or reaches. A length serves where the blade keeps its radius, its
 /// margin, its plane, the clearance and the floor, crosses nothing, lies on the sections within the tolerance
-/// (where all are tried, halfway between them too), rests in the shape that is asked for, certain or held,
-/// and can be led into it and out of it. The best one is that of the largest margin, one that is certain
-/// before one that is held; it serves all sections and halfway between them, or else the next best is taken,
-/// four times at most, and then none. Lengths are whole multiples of 5 mm. docs/mathematics.md, sweep.
-/// Errors: badInput without sections; `cancelled`. Some 1 to 8 s.
+/// (where all are tried, halfway between them too, and is followed there as robots move its grips), rests in
+/// the shape that is asked for, certain or held, and can be led into it and out of it. The best one is that
+/// of the largest margin, one that is certain before one that is held; it serves all sections and halfway
+/// between them, or else the next best is taken, four times at most, and then none. Lengths are whole
+/// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
+/// s.
 [[nodiscard]] Result<BladeLengths> bladeLengths(const std::vector<Section>& sections,
                                                 const LengthRequest& request, const Box& block,
                                                 const PlaneFamily& planes, const RunContext& context);
