@@ -262,7 +262,8 @@ TEST(DesignDifference, NumbersHaveTheirNamesAndUnits) {
   other.cut().direction.reset();
   other.process.tolerance = 7;  // freed from its expression
   const std::string told = text(differences(design, other));
-  EXPECT_NE(told.find("/stock/0/block/size/2|Block b: block, size z|500 mm|400 mm\n"), std::string::npos) << told;
+  EXPECT_NE(told.find("/stock/0/block/size/2|Block b: block, size z|500 mm|400 mm\n"), std::string::npos)
+      << told;
   EXPECT_NE(told.find("/stock/0/block/rotation_deg/2|Block b: block, rotation z|7 °|0 °\n"),
             std::string::npos)
       << told;

@@ -170,7 +170,8 @@ TEST(DesignedSurface, AFormulaIsComputedByRowsAsByPlaces) {
   const std::string text =
       "200 + a*sin(x/90) - 3*cos(y/80)*atan2(x + 300, y + 300) + min(x, 700)/100 + max(-1; y + 50; a)/50 + "
       "2^(x/400)*y/800"
-      " + sqrt(x + y + 100)/4 + exp(-((x - 300)/200)^2)*log(y + 900) + atan(x/300)*abs(y + 1)/90 - tan(y/2000)"
+      " + sqrt(x + y + 100)/4 + exp(-((x - 300)/200)^2)*log(y + 900) + atan(x/300)*abs(y + 1)/90 - "
+      "tan(y/2000)"
       " + asin(x/900) + acos(y/1000)*x/600 + -x/70 + pi";
   const SplineSurface spline = splineOrFail(formula(text, {{"a", 7}}));
   for (const double x : {0.0, 300.0, 600.0})

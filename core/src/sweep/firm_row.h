@@ -6,9 +6,9 @@
 
 namespace bw::sweep {
 
-/// True if no blade of `next` stands worse than in `before`, a row of as many: none that stood snaps, is unknown
-/// or has no shape, none falls below the margins asked for, and none is farther from its section but within the
-/// tolerance.
+/// True if no blade of `next` stands worse than in `before`, a row of as many: none that stood snaps, is
+/// unknown or has no shape, none falls below the margins asked for, and none is farther from its section but
+/// within the tolerance.
 bool keepsUp(const Sweep& next, const Sweep& before);
 
 }  // namespace bw::sweep
