@@ -22,10 +22,10 @@ const StockBlock& stockBlock(const Design& design, const std::string& id) {
 /// True for cuts that keep a surface at a distance, on its one side and on the other: moulds of a panel, of
 /// which the lower ones do not go on in the upper ones.
 bool onTwoSides(const Design& design, const CutEvaluation& a, const CutEvaluation& b) {
-  const auto cut = [&](const CutEvaluation& made) {
+  const auto cut = [&](const CutEvaluation& made) -> const Cut& {
     return *std::ranges::find(design.cuts, made.id, &Cut::id);
   };
-  const Cut one = cut(a), other = cut(b);
+  const Cut &one = cut(a), &other = cut(b);
   return one.offset != 0 && other.offset != 0 &&
          keptWay(a.setup->block, one.keep).dot(keptWay(b.setup->block, other.keep)) < 0;
 }

@@ -105,7 +105,8 @@ Eigen::MatrixXd reducedHessian(const Equations& equations);
 /// The orthonormal columns that the constraints leave free, as (coefficients × count − 2).
 Eigen::MatrixXd freeDirections(const Equations& equations);
 /// True if a form of the modes is positive wherever ∫ φ times some functions (`constraints`, their moments)
-/// vanishes, as far as one factorisation shows it; false tells nothing. A fifth of what is sure.
+/// vanishes, as far as one factorisation shows it; false tells nothing. Takes a fraction
+/// of the time of what is sure.
 bool surelyPositive(Eigen::MatrixXd form, Eigen::MatrixXd constraints);
 /// The largest λ for which ∫ φ'² − λ ∫ φ² is positive for all that vanishes at both ends, less a reserve.
 inline constexpr double kSurelyPositive = 0.99 * kPi * kPi;

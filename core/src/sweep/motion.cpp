@@ -124,6 +124,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   double shifted = 0;
   sweep::FloorWatch floor(sweep.block, request.floor);
   const auto watch = [&](std::vector<Eigen::Vector3d> points, double shift, int station) {
+    if (!request.floor) return;
     for (Eigen::Vector3d& point : points) point += shift * d;
     floor.see(points, station);
   };
