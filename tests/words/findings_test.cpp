@@ -173,10 +173,12 @@ TEST(Findings, TellTheClearanceThatServes) {
   using Said = ServingLengths::Said;
   ServingLengths none{Said::none, 800, 700, 1200, 10};
   EXPECT_EQ(said(none),
-            "no length of this blade serves all stations (700 to 1200 mm were tried, and grips down to 10 mm "
+            "no length of this blade is known to serve all stations (700 to 1200 mm were tried, and grips "
+            "down to 10 mm "
             "from the block); take another blade or direction, or cut in parts");
   EXPECT_EQ(said(none, {}, {OtherClearance{15, 625}}),
-            "no length of this blade serves all stations (700 to 1200 mm were tried with this clearance); a "
+            "no length of this blade is known to serve all stations (700 to 1200 mm were tried with this "
+            "clearance); a "
             "blade of 625 mm serves where grips may come within 15 mm of the block");
   EXPECT_EQ(action(OtherClearance{15, 625}), "Allow a clearance of 15 mm with a blade of 625 mm");
   EXPECT_EQ(action(OtherClearance{15}), "Allow a clearance of 15 mm");

@@ -172,7 +172,7 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
                                      ? ", and grips down to " + mm(*cause.leastClearance) + " from the block"
                                      : "";
   const std::string none =
-      "no length of this blade serves all stations (" + stretch + " were tried" + clearances + ")";
+      "no length of this blade is known to serve all stations (" + stretch + " were tried" + clearances + ")";
   const std::string mended = "; " + (also.empty() ? kNoneServes : also);
   switch (cause.said) {
     case Said::others:
