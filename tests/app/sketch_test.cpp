@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
+#include <thread>
 #include <utility>
 
 #include "bw/core/design/variables.h"
@@ -453,6 +456,27 @@ TEST(Sketch, ComesBeforeTheEvaluationOfADrag) {
   EXPECT_EQ(runner.evaluation()->design.source().surface, pulled(7).source().surface);
   runner.clear();
   EXPECT_FALSE(runner.sketch());
+}
+
+/// However long the evaluation of what the hand holds may take, it is known before how far that goes.
+TEST(Sketch, TheReachOfAHandIsFoundBeforeWhatItHoldsIsEvaluated) {
+  model::EvaluationRunner runner;
+  runner.evaluate(std::make_shared<const Design>(pulled(0)), false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  constexpr double kFarthest = 400;
+  std::optional<Reach> known;
+  QObject::connect(&runner, &model::EvaluationRunner::finished, [&] { known = runner.reach(); });
+  const auto slowly = [](double by) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return pulled(by);
+  };
+  runner.seekReach(slowly, kFarthest);
+  runner.evaluate(std::make_shared<const Design>(pulled(350)), true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->now, Bar::none);
+  for (const Reach::End& end : known->ends)
+    EXPECT_TRUE(end.bar != Bar::none || std::abs(end.free) == kFarthest) << end.free;
 }
 
 }  // namespace
