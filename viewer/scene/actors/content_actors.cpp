@@ -23,7 +23,7 @@ constexpr double kLeastSetBack = 0.1, kMostSetBack = 0.3;
 
 /// Of all cut surfaces together, while the picture moves: so many are drawn in a third of the time that a
 /// picture then has where the processor does the work of a graphics card.
-constexpr std::size_t kDraftTriangles = 100000;
+constexpr std::size_t kDraftTriangles = 50000;
 
 /// Gives each thing its actors, and none to the actors that are left over.
 template <class Actors, class Range, class... More>
