@@ -8,10 +8,7 @@ name="writers"
 . "$(dirname "$0")/common.sh"
 
 rounds=$((6 * rounds_factor))
-"$blade" example panel-600x670 --out panel.step 2>/dev/null
-panel_job a.json '"stations": 12, "tolerance": 10'
-panel_job b.json '"stations": 14, "tolerance": 10, "lead": 25'
-for run in a b; do "$blade" rationalize panel.step --job $run.json --out $run 2>/dev/null; done
+for run in a b; do write_run $run $run 2>err.txt || fail "run $run"; done
 
 is_run() { diff -r -x report.json "$1" result >/dev/null && cmp -s <(grep '"run"' "$1/report.json") <(grep '"run"' result/report.json); }
 
@@ -19,11 +16,11 @@ told=0 one=0 other=0
 for i in $(seq 1 "$rounds"); do
   [ $((i % 3)) -ne 0 ] || rm -rf result
   if [ $((RANDOM % 2)) -eq 0 ]; then order=(a b); else order=(b a); fi
-  "$blade" rationalize panel.step --job "${order[0]}.json" --out result 2>"${order[0]}.txt" &
+  write_run "${order[0]}" result 2>"${order[0]}.txt" &
   first=$!
   wait_ms=$((RANDOM % 900))
   sleep "0.$(printf '%03d' "$wait_ms")"
-  "$blade" rationalize panel.step --job "${order[1]}.json" --out result 2>"${order[1]}.txt" &
+  write_run "${order[1]}" result 2>"${order[1]}.txt" &
   second=$!
   declare "status_${order[0]}=0" "status_${order[1]}=0"
   wait "$first" || declare "status_${order[0]}=$?"
@@ -51,4 +48,4 @@ for i in $(seq 1 "$rounds"); do
   [ -z "$(find result -name '*.part-*' -o -name .bladewright-writer)" ] || fail "round $i: something is left"
 done
 
-echo "hostile writers: $rounds pairs: $one times the one, $other times the other, whole each time; $told writers told that the folder is another's"
+echo "hostile writers of $piece: $rounds pairs: $one times the one, $other times the other, whole each time; $told writers told that the folder is another's"
