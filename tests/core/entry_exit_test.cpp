@@ -334,6 +334,26 @@ TEST(RowRest, IsLostForEachOfItsReasons) {
   EXPECT_EQ(reason(unknown.rest()), Lost::unknownBarrier);
 }
 
+TEST(RowRest, IsAnErrorWhereNothingIsKnownOfOtherShapes) {
+  Judged judged;
+  for (const int i : {1, 2}) judged.certainty.stations[std::size_t(i)] = {std::nan(""), {}, {}};
+  const RowRest row = judged.rest();
+  EXPECT_EQ(told(row), "huuhh");
+  const auto unsought = std::ranges::find_if(row.findings, [](const Finding& finding) {
+    return std::get<OtherShape>(finding.cause).lost == OtherShape::Lost::unsought;
+  });
+  ASSERT_NE(unsought, row.findings.end());
+  EXPECT_EQ(unsought->severity, Severity::error);
+  EXPECT_EQ(unsought->where.stations->first, 1);
+  EXPECT_EQ(unsought->where.stations->last, 2);
+  EXPECT_TRUE(exceedsLimit(row.findings));
+  // Of a blade that does not rest the check tells, and of one of which it is not known how it hangs the fit.
+  judged.check.stations[1].stable = judged.check.stations[2].stable = false;
+  EXPECT_TRUE(std::ranges::none_of(judged.rest().findings, [](const Finding& finding) {
+    return std::get<OtherShape>(finding.cause).lost == OtherShape::Lost::unsought;
+  }));
+}
+
 TEST(RowRest, BeginsAnewWhereAStationIsCertain) {
   Judged judged;
   judged.entry = {{}, 1, "none"};

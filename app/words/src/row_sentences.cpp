@@ -338,12 +338,18 @@ static std::string lostText(const OtherShape& cause, const std::string& shorter)
     case Lost::lowBarrier:
       return ", which a touch may bring about" + shorter;
     case Lost::unknownBarrier:
+    case Lost::unsought:
       break;
   }
   return ", and how little brings it over could not be found" + shorter;
 }
 
 std::string Sentences::operator()(const OtherShape& cause) const {
+  if (cause.lost == OtherShape::Lost::unsought)
+    return at() +
+           "it could not be found out whether the blade rests in another shape there too, so that nothing "
+           "tells that it is in the one shown" +
+           keptText(finding, "take a shorter blade");
   return at() + "between these grips the blade rests in another shape too, " + mm(cause.distance) +
          " away, with an energy of " + shortText(cause.other) +
          " N mm (this one: " + shortText(cause.energy) + " N mm" +

@@ -336,6 +336,16 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
                               {}});
     }
   }
+  // Where it is not known how a blade hangs that is told of with its fit.
+  const auto unsought = [&](std::size_t i) {
+    return row.stations[i] == Rest::unknown && rests(i) && isKnown(sweep, i);
+  };
+  const auto any = [](std::size_t, std::size_t) { return false; };
+  for (const sweep::Stretch& at : sweep::stretchesOf(n, unsought, any)) {
+    OtherShape cause;
+    cause.lost = Lost::unsought;
+    row.findings.push_back({Severity::error, cause, sweep::placeOf(sweep.poses, at), {}});
+  }
   return row;
 }
 

@@ -138,6 +138,9 @@ void Inspector::makeResult() {
   addOfResult(
       column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
       [](const CutResult& result) { return lengthText(result.between.deviationMax); }, &SweepLimits::between);
+  addOfResult(column, tr("Off the surface shown"),
+              tr("Of the blade from the cut surface shown, as the robots move it"),
+              [](const CutResult& result) { return lengthText(result.between.fromShown); });
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,
@@ -145,6 +148,9 @@ void Inspector::makeResult() {
   addOfResult(
       column, tr("Surface covered"), tr("Part of the surface in the block that has cut surface over it"),
       [](const CutResult& result) { return percentText(result.coverage.share()); }, &SweepLimits::coverage);
+  addOfResult(column, tr("Farthest beyond the cut"),
+              tr("How far the surface in the block reaches beyond the border of the cut surface"),
+              [](const CutResult& result) { return lengthText(result.coverage.distance); });
   column->addHeading(tr("Blade"));
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
       &SweepLimits::radius);

@@ -199,8 +199,9 @@ struct BladeCrosses {
 /// Between the same grips the blade rests in another shape as well, which is not clearly higher.
 struct OtherShape {
   static constexpr FindingKind kind = FindingKind::certainty;
-  /// Why nothing keeps the blade in the row's shape, if nothing does.
-  enum class Lost { no, noEntry, leaves, lowMargin, lowBarrier, unknownBarrier };
+  /// Why nothing is known to keep the blade in the row's shape, if nothing is; `unsought` where it is not
+  /// known whether there is another one, of which nothing is told then.
+  enum class Lost { no, noEntry, leaves, lowMargin, lowBarrier, unknownBarrier, unsought };
   double energy = 0, other = 0;                  ///< N mm
   double distance = 0;                           ///< between them
   std::optional<double> barrier = std::nullopt;  ///< N mm that bring it from the row's shape into another one
