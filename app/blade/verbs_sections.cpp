@@ -79,7 +79,7 @@ void addSectionsVerb(CLI::App& app, const Session& session, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "sections", "A design with a loft through the curves of a CAD file: STEP, IGES or DXF");
   const auto options = std::make_shared<SectionsOptions>();
-  verb->add_option("FILE", options->file, "STEP, IGES, BREP or ASCII DXF file; - for standard input")
+  verb->add_option("FILE", options->file, "STEP, IGES, BREP or DXF file; - for standard input")
       ->required();
   verb->add_option("--out", options->out, "The design that is written")->type_name("DESIGN")->required();
   verb->add_option("--points", options->points,

@@ -129,6 +129,25 @@ TEST(SectionsFromCurves, UnitsLayersKindsAndNumbersOfPoints) {
       << unknown.err;
 }
 
+TEST(SectionsFromCurves, SplinesByFitPointsAloneBecomeSections) {
+  const Folder folder;
+  std::string all;
+  for (const int y : {0, 400, 800}) {
+    std::ostringstream text;
+    text << "0 SPLINE 8 roof 70 8 71 3 72 0 73 0 74 13 ";
+    for (int x = 0; x <= 600; x += 50) text << "11 " << x << " 21 " << y << " 31 " << height(x, y) << " ";
+    all += text.str();
+  }
+  const std::string design = folder / "roof.bladewright";
+  const Finished made = blade({"sections", folder.write("roof.dxf", drawing(all)), "--out", design});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json surface = surfaceOf(design);
+  ASSERT_EQ(surface["sections"].size(), 3u);
+  for (const json& section : surface["sections"])
+    for (const json& point : section["spline"])
+      EXPECT_NEAR(point[1].get<double>(), height(point[0], section["y"]), 0.05);
+}
+
 TEST(SectionsFromCurves, TheSameBytesForAnyNumberOfThreads) {
   const Folder folder;
   std::string all;
@@ -157,7 +176,7 @@ TEST(SectionsFromCurves, WhatGivesNoDesignIsToldAndWritesNothing) {
   refused("one.dxf", drawing(polyline(0)), 2, "there is one curve, curve 1 (roof)");
   refused("circle.dxf", drawing(polyline(0) + "0 CIRCLE 8 holes 10 0 20 0 40 5"), 2,
           "a circle on the layer holes");
-  refused("binary.dxf", "AutoCAD Binary DXF\r\n", 4, "save it as ASCII DXF");
+  refused("binary.dxf", "AutoCAD Binary DXF\n", 4, "what a binary DXF file begins with is damaged");
   refused("short.dxf", whole.substr(0, whole.size() / 2), 4, "cannot read");
   refused("faces.step", slurp(example("saddle")), 2, "no curves beside its");
   refused("nothing.step", "nothing", 4, "its content is not STEP");

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -14,14 +13,19 @@
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
+#include "dxf/dxf_groups.h"
+#include "dxf/fit_curve.h"
 
 namespace bw {
 
 namespace {
 
+using dxf::Group;
+using dxf::Groups;
+using dxf::trimmed;
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::string_view kBinary = "AutoCAD Binary DXF";
+constexpr std::string_view kBinaryName = "AutoCAD Binary DXF";
 constexpr double kStraight = 1e-9;   // bulges below are none
 constexpr double kAxis = 1.0 / 64;   // of the arbitrary axis algorithm
 constexpr double kWholeTurn = 1e-9;  // rad by which an arc may miss one
@@ -33,74 +37,13 @@ constexpr double kInsertion = 20;               // values that one counts as
 constexpr double kMostInserted = 2e7;           // values of all blocks, as often as they are inserted
 constexpr std::string_view kRead[] = {"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND",
                                       "ARC",  "CIRCLE",     "ELLIPSE",  "SPLINE", "INSERT"};
+constexpr int kClosed = 1;                   // among the flags of a spline
 constexpr std::string_view kOwnLayer = "0";  // in a block: that of what inserts it
-
-/// A group: a code and its value, a line each.
-struct Group {
-  int code = 0;
-  std::string_view value;
-  std::size_t line = 0;  ///< of the code, from 1
-};
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  const std::size_t from = text.find_first_not_of(kBlank);
-  return from == std::string_view::npos ? std::string_view()
-                                        : text.substr(from, text.find_last_not_of(kBlank) - from + 1);
-}
-
-tl::unexpected<Error> damaged(const std::string& name, std::size_t line, const std::string& what) {
-  return fail(ErrorCode::cannotRead,
-              "cannot read " + name + ": line " + std::to_string(line) + " " + what +
-                  "; the file is damaged: export it again as ASCII DXF",
-              name, double(line));
-}
-
-/// The groups of a text, one after the other.
-class Groups {
- public:
-  Groups(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
-
-  /// The next one; comments are passed over. Errors: a code that is no number, an end where none may be.
-  Result<Group> next() {
-    for (;;) {
-      if (rest_.empty())
-        return fail(ErrorCode::cannotRead,
-                    "cannot read " + name_ +
-                        ": the DXF file is cut short (its end mark is missing); copy or export it again",
-                    name_);
-      Group group;
-      group.line = line_ + 1;
-      const std::string_view code = trimmed(takeLine());
-      const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), group.code);
-      if (error != std::errc{} || end != code.data() + code.size())
-        return damaged(name_, group.line,
-                       "has \"" + std::string(code.substr(0, 20)) + "\" where the code of a group stands");
-      if (rest_.empty()) continue;
-      group.value = takeLine();
-      if (group.code != 999) return group;
-    }
-  }
-
- private:
-  std::string_view takeLine() {
-    const std::size_t end = rest_.find('\n');
-    std::string_view line = rest_.substr(0, end);
-    rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    ++line_;
-    return line;
-  }
-
-  std::string_view rest_;
-  const std::string& name_;
-  std::size_t line_ = 0;
-};
 
 /// An entity: its groups up to the next one.
 struct Entity {
   std::string_view type;
-  std::size_t line = 0;
+  std::size_t place = 0;  ///< of the group that tells its type
   std::vector<Group> groups;
 };
 
@@ -146,7 +89,7 @@ class Reader {
         if (section == "ENTITIES")
           if (Result<void> ok = take(entity); !ok) return tl::unexpected<Error>(ok.error());
         if (section == "BLOCKS") gather(std::move(entity));
-        entity = {value, group->line, {}};
+        entity = {value, group->place, {}};
         if (value == "EOF") break;
         if (value == "SECTION") {
           section = {};
@@ -173,17 +116,25 @@ class Reader {
         continue;
       if (entity.groups.size() == kMostGroups)
         return fail(ErrorCode::badInput,
-                    name_ + " cannot be used: what begins in line " + std::to_string(entity.line) +
+                    name_ + " cannot be used: what begins in " + groups_.words(entity.place) +
                         " has more than " + std::to_string(kMostGroups) +
                         " values; export it as a spline, or more coarsely",
-                    name_, double(entity.line), double(kMostGroups));
+                    name_, double(entity.place), double(kMostGroups));
       entity.groups.push_back(*group);
     }
-    if (polyline_) return damaged(name_, entity.line, "ends the file within a polyline");
+    if (polyline_) return damaged(entity.place, "ends the file within a polyline");
     return finish();
   }
 
  private:
+  tl::unexpected<Error> damaged(std::size_t place, const std::string& what) const {
+    return groups_.damaged(place, what);
+  }
+  /// Where the type of an entity is told, in words.
+  std::string placeOf(const Entity& entity) const {
+    return groups_.words(groups_.placeOfValue(entity.place));
+  }
+
   Result<void> takeUnit(const Group& group) {
     const Result<double> code = number(group);
     if (!code) return tl::unexpected<Error>(code.error());
@@ -203,10 +154,12 @@ class Reader {
   }
 
   Result<double> number(const Group& group) const {
-    const std::optional<double> value = parseNumber(trimmed(group.value));
+    if (group.number && !std::isfinite(*group.number))
+      return damaged(group.place, "has a number that is not finite");
+    const std::optional<double> value = group.number ? group.number : parseNumber(trimmed(group.value));
     if (!value)
       return damaged(
-          name_, group.line + 1,
+          groups_.placeOfValue(group.place),
           "has \"" + std::string(trimmed(group.value).substr(0, 20)) + "\" where a finite number stands");
     return *value;
   }
@@ -263,7 +216,7 @@ class Reader {
     const Result<Eigen::Vector3d> extrusion = point(entity, 210, Eigen::Vector3d::UnitZ());
     if (!extrusion) return tl::unexpected<Error>(extrusion.error());
     if (!(extrusion->norm() > 0) || !std::isfinite(extrusion->norm()))
-      return damaged(name_, entity.line,
+      return damaged(entity.place,
                      "begins a " + std::string(entity.type) + " whose extrusion is no direction");
     const Eigen::Vector3d z = extrusion->normalized();
     const bool upright = std::abs(z.x()) < kAxis && std::abs(z.y()) < kAxis;
@@ -281,8 +234,7 @@ class Reader {
     if (polyline_) {
       if (type == "VERTEX") return takeVertex(entity);
       if (type == "SEQEND") return endPolyline();
-      return damaged(name_, entity.line,
-                     "begins a " + std::string(type.substr(0, 20)) + " within a polyline");
+      return damaged(entity.place, "begins a " + std::string(type.substr(0, 20)) + " within a polyline");
     }
     const Result<int> paper = whole(entity, 67, 0);
     if (!paper) return tl::unexpected<Error>(paper.error());
@@ -320,7 +272,7 @@ class Reader {
                   name_, double(found_.curves.size() + 1), double(DxfCurves::kMost));
     if (Result<void> ok = checkSpaceCurve(curve); !ok) {
       Error error = ok.error();
-      error.message = name_ + ": " + error.message + " (line " + std::to_string(entity.line + 1) + ")";
+      error.message = name_ + ": " + error.message + " (" + placeOf(entity) + ")";
       return tl::unexpected<Error>(error);
     }
     found_.curves.push_back(std::move(curve));
@@ -331,18 +283,17 @@ class Reader {
     return fail(
         ErrorCode::badInput,
         name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + ", " + what +
-            (layerOf(entity).empty() ? "" : " on the layer " + layerOf(entity)) + " (line " +
-            std::to_string(entity.line + 1) +
+            (layerOf(entity).empty() ? "" : " on the layer " + layerOf(entity)) + " (" + placeOf(entity) +
             "), is closed; a section is open, from one side of the block to the other: cut it open, or "
             "leave it out",
-        name_, double(entity.line));
+        name_, double(entity.place));
   }
 
   tl::unexpected<Error> refuseInsert(const Entity& entity, const std::string& why) const {
     return fail(ErrorCode::badInput,
-                name_ + " cannot be used: line " + std::to_string(entity.line + 1) + " inserts the block \"" +
+                name_ + " cannot be used: " + placeOf(entity) + " inserts the block \"" +
                     printable(std::string(textOf(entity, 2).substr(0, 60))) + "\", " + why,
-                name_, double(entity.line));
+                name_, double(entity.place));
   }
 
   /// A block: its entities as often as rows and columns tell, stretched, turned and put to their place.
@@ -369,7 +320,7 @@ class Reader {
     for (const auto* one : {&columns, &rows})
       if (!*one) return tl::unexpected<Error>(one->error());
     if (*scaleX == 0 || *scaleY == 0)
-      return damaged(name_, entity.line, "begins an INSERT with a scale of nothing");
+      return damaged(entity.place, "begins an INSERT with a scale of nothing");
 
     const Eigen::Affine3d outer = placement_;
     const std::string outerLayer = std::exchange(layer_, layerOf(entity));
@@ -399,7 +350,7 @@ class Reader {
                                       " values; export what is needed of it alone");
     for (const Entity& entity : block.entities)
       if (Result<void> ok = take(entity); !ok) return ok;
-    if (polyline_) return damaged(name_, block.head.line, "begins a block that ends within a polyline");
+    if (polyline_) return damaged(block.head.place, "begins a block that ends within a polyline");
     return {};
   }
 
@@ -420,7 +371,7 @@ class Reader {
     for (const auto* one : {&radius, &from, &to})
       if (!*one) return tl::unexpected<Error>(one->error());
     if (entity.type == "CIRCLE") return closed(entity, "a circle");
-    if (!(*radius > 0)) return damaged(name_, entity.line, "begins an arc without a radius");
+    if (!(*radius > 0)) return damaged(entity.place, "begins an arc without a radius");
     return addTurn(entity, "an arc of a whole turn", plane->at(*center), *radius * plane->axes.col(0),
                    *radius * plane->axes.col(1), fromDegrees(*from), fromDegrees(*to));
   }
@@ -435,7 +386,7 @@ class Reader {
     for (const auto* one : {&ratio, &from, &to})
       if (!*one) return tl::unexpected<Error>(one->error());
     if (!(axis->norm() > 0) || !(normal->norm() > 0) || !(*ratio > 0))
-      return damaged(name_, entity.line, "begins an ellipse without axes");
+      return damaged(entity.place, "begins an ellipse without axes");
     return addTurn(entity, "a whole ellipse", *center, *axis, *ratio * normal->normalized().cross(*axis),
                    *from, *to);
   }
@@ -511,7 +462,7 @@ class Reader {
         points.emplace_back(*value, 0, *height);
         bulges.push_back(0);
       } else if (points.empty()) {
-        return damaged(name_, group.line, "tells of a vertex before the first one");
+        return damaged(group.place, "tells of a vertex before the first one");
       } else {
         (group.code == 20 ? points.back().y() : bulges.back()) = *value;
       }
@@ -569,36 +520,57 @@ class Reader {
   }
 
   Result<void> takeSpline(const Entity& entity) {
-    const Result<int> degree = whole(entity, 71, 3), fitted = whole(entity, 74, 0);
+    const Result<int> degree = whole(entity, 71, 3);
     if (!degree) return tl::unexpected<Error>(degree.error());
-    if (!fitted) return tl::unexpected<Error>(fitted.error());
     SpaceCurve curve;
     curve.degree = *degree;
+    Points fitPoints;
     for (const Group& group : entity.groups) {
-      if (group.code != 10 && group.code != 20 && group.code != 30 && group.code != 40 && group.code != 41)
-        continue;
+      // x, y and z of poles (10, 20, 30) and of fit points (11, 21, 31); knots (40) and weights (41).
+      const bool isFit = group.code % 10 == 1, isPoint = group.code >= 10 && group.code <= 31;
+      if (group.code % 10 > 1 || !(isPoint || group.code == 40 || group.code == 41)) continue;
       const Result<double> value = number(group);
       if (!value) return tl::unexpected<Error>(value.error());
-      if (group.code == 10) {
-        curve.poles.emplace_back(*value, 0, 0);
-      } else if (group.code == 40) {
-        curve.knots.push_back(*value);
-      } else if (group.code == 41) {
-        curve.weights.push_back(*value);
-      } else if (curve.poles.empty()) {
-        return damaged(name_, group.line, "tells of a pole before the first one");
+      if (!isPoint) {
+        (isFit ? curve.weights : curve.knots).push_back(*value);
+        continue;
+      }
+      Points& points = isFit ? fitPoints : curve.poles;
+      if (group.code < 20) {
+        points.emplace_back(*value, 0, 0);
+      } else if (points.empty()) {
+        return damaged(group.place,
+                       std::string("tells of a ") + (isFit ? "fit point" : "pole") + " before the first one");
       } else {
-        curve.poles.back()[group.code / 10 - 1] = *value;
+        points.back()[group.code / 10 - 1] = *value;
       }
     }
-    if (curve.poles.empty() && *fitted > 0)
-      return fail(ErrorCode::badInput,
-                  name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + " (line " +
-                      std::to_string(entity.line + 1) + ") is a spline told by " + std::to_string(*fitted) +
-                      " fit points alone; convert it to control points, or export it as a polyline",
-                  name_, double(entity.line));
+    if (curve.poles.empty() && !fitPoints.empty()) return takeFitPoints(entity, std::move(fitPoints));
     if (std::ranges::all_of(curve.weights, [](double w) { return w == 1; })) curve.weights.clear();
     return add(std::move(curve), entity);
+  }
+
+  /// A spline that is told by the points that it goes through alone.
+  Result<void> takeFitPoints(const Entity& entity, Points points) {
+    const auto told = whole(entity, 74, int(points.size())), flags = whole(entity, 70, 0);
+    const auto start = point(entity, 12, Eigen::Vector3d::Zero()),
+               end = point(entity, 13, Eigen::Vector3d::Zero());
+    for (const auto* one : {&told, &flags})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    for (const auto* one : {&start, &end})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    if (*told != int(points.size()))
+      return damaged(entity.place, "begins a spline that tells of " + std::to_string(*told) +
+                                       " fit points and has " + std::to_string(points.size()));
+    std::optional<SpaceCurve> curve =
+        dxf::curveThrough({std::move(points), *start, *end, (*flags & kClosed) != 0});
+    if (curve) return add(std::move(*curve), entity);
+    return fail(ErrorCode::badInput,
+                name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + " (" +
+                    placeOf(entity) + ") is a " + (*flags & kClosed ? "closed " : "") +
+                    "spline through fewer than " + (*flags & kClosed ? "three" : "two") +
+                    " different points; draw it again, or leave it out",
+                name_, double(entity.place));
   }
 
   Result<DxfCurves> finish() {
@@ -640,20 +612,21 @@ class Reader {
 }  // namespace
 
 bool isDxf(std::string_view bytes) {
-  if (bytes.starts_with(kBinary)) return true;
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  std::string name;
+  if (bytes.starts_with(kBinaryName)) return true;
+  const std::string name;
   Groups groups(bytes, name);
   const Result<Group> first = groups.next();
   return first && first->code == 0 && trimmed(first->value) == "SECTION";
 }
 
 Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name, std::optional<double> unit) {
-  if (bytes.starts_with(kBinary))
-    return fail(ErrorCode::cannotRead,
-                "cannot read " + name + ": it is a binary DXF file; save it as ASCII DXF in the CAD program",
-                name);
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (bytes.starts_with(kBinaryName) && !bytes.starts_with(dxf::kBinaryMark))
+    return fail(
+        ErrorCode::cannotRead,
+        "cannot read " + name +
+            ": what a binary DXF file begins with is damaged, as by a transfer as text; copy it again, "
+            "or export it as ASCII DXF",
+        name);
   if (!isDxf(bytes))
     return fail(ErrorCode::cannotRead,
                 "cannot read " + name + ": it is no DXF file; export it again from the CAD program", name);

@@ -23,16 +23,18 @@ struct DxfCurves {
   std::vector<std::string> leftOut;  ///< what else it holds, in words
 };
 
-/// True for the text of a DXF file, or a binary one.
+/// True for a DXF file, a text or a binary one.
 bool isDxf(std::string_view bytes);
 
-/// Reads the curves of the model space of an ASCII DXF file: lines, arcs, parts of ellipses, polylines with
-/// their bulges, splines, each in the plane that its extrusion tells, and those of blocks wherever they are
-/// inserted. `unit`: mm that a unit of the drawing is taken for, whatever it states. `name` serves messages.
-/// Errors: `cannotRead` for what is binary, damaged or cut short, with the line; `badInput` for a unit that
-/// is not known, blocks that are not in the file or come to too much, splines without poles, circles and
-/// ellipses that are closed, more than kMost curves or kMostPoints points, and those of `checkSpaceCurve`,
-/// each with what to do. O(n) in time, and in what blocks come to; what it keeps are points and blocks.
+/// Reads the curves of the model space of a DXF file, a text or a binary one (of any release): lines, arcs,
+/// parts of ellipses, polylines with their bulges, splines (those told by fit points alone as the cubic with
+/// continuous curvature through them, docs/mathematics.md, Fit points), each in the plane that its extrusion
+/// tells, and those of blocks wherever they are inserted. `unit`: mm that a unit of the drawing is taken for,
+/// whatever it states. `name` serves messages. Errors: `cannotRead` for what is damaged or cut short, with
+/// the line, or the byte; `badInput` for a unit that is not known, blocks that are not in the file or come to
+/// too much, fit points of which too few differ, circles and ellipses that are closed, more than kMost curves
+/// or kMostPoints points, and those of `checkSpaceCurve`, each with what to do. O(n) in time, and in what
+/// blocks come to; what it keeps are points and blocks.
 Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name,
                           std::optional<double> unit = std::nullopt);
 
