@@ -4,6 +4,7 @@
 // A handle of a designed surface under the keyboard: arrow keys, and numbers typed beside it.
 
 #include "window/handle_keys.h"
+#include "bw/core/shape/blade_ends.h"
 #include "handles_fixture.h"
 #include "workflow/variable_fields.h"
 
@@ -252,6 +253,79 @@ TEST_F(HandleKeysTest, AnExpressionTypedThereBindsTheHandle) {
   pressThere(Qt::Key_Return);
   EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "");
   EXPECT_TRUE(bench().design().bindings.empty());
+}
+
+TEST_F(HandleKeysTest, TheHeightOfAnEndOfAKeyBladeTakesAnExpression) {
+  open("key-blade-fan");
+  const auto ends = [&] {
+    return bladeEnds(std::get<BladesSurface>(bench().design().source().surface->shape).blades[0]).value();
+  };
+  const auto expression = [&](const char* name) {
+    auto* shown = find<NumberField>(name);
+    return shown ? shown->expression() : QString("there is no such field");
+  };
+  const Eigen::Vector2d right = ends()[1];
+  const Design before = bench().design();
+  EXPECT_EQ(expression("Lean of key blade 1"), "-lean");
+  click(4);
+  type("=height - 40");
+  pressThere(Qt::Key_Return);
+  const std::string place = "/sources/0/surface/blades/0/end_heights/0";
+  ASSERT_TRUE(bench().design().bindings.contains(place));
+  EXPECT_EQ(bench().design().bindings.at(place).text, "height - 40");
+  EXPECT_NEAR(ends()[0].y(), 250, 1e-9);
+  EXPECT_LT((ends()[1] - right).norm(), 1e-9) << "the other end stays";
+  EXPECT_EQ(expression("Left end z of key blade 1"), "height - 40");
+  EXPECT_EQ(expression("Right end z of key blade 1"), "");
+  EXPECT_EQ(expression("Lean of key blade 1"), "") << "which the end turns";
+  EXPECT_EQ(expression("Lean of key blade 2"), "-lean/3");
+  press(Qt::Key_Return);
+  EXPECT_EQ(find<NumberField>("Height of left end of key blade 1")->text(), "=height - 40");
+  picture("handle-end-expression");
+  pressThere(Qt::Key_Escape);
+  // It follows its variable, and keeps its height where the blade is made longer.
+  const Design other = withVariables(bench().design(), {{"height", 300}}).value();
+  EXPECT_NEAR(bladeEnds(std::get<BladesSurface>(other.source().surface->shape).blades[0]).value()[0].y(), 260,
+              1e-9);
+  auto* length = find<NumberField>("Length of key blade 1");
+  length->setFocus();
+  length->selectAll();
+  type("640");
+  pressThere(Qt::Key_Return);
+  EXPECT_EQ(std::get<BladesSurface>(bench().design().source().surface->shape).blades[0].length, 640);
+  EXPECT_NEAR(ends()[0].y(), 250, 1e-9);
+  EXPECT_EQ(expression("Left end z of key blade 1"), "height - 40");
+  // An expression in the other field of the same end, and one for the middle, which frees the ends.
+  auto* left = find<NumberField>("Left end z of key blade 1");
+  left->setFocus();
+  left->selectAll();
+  type("=height - 30");
+  pressThere(Qt::Key_Return);
+  EXPECT_NEAR(ends()[0].y(), 260, 1e-9);
+  auto* middle = find<NumberField>("Middle z of key blade 1");
+  middle->setFocus();
+  middle->selectAll();
+  type("=height");
+  pressThere(Qt::Key_Return);
+  EXPECT_EQ(expression("Middle z of key blade 1"), "height");
+  EXPECT_EQ(expression("Left end z of key blade 1"), "");
+  ASSERT_TRUE(bench().saveTo(path("fan.bladewright")));
+  EXPECT_TRUE(loadDesign(path("fan.bladewright")));
+  // What cannot be is told, and nothing changes.
+  const Design now = bench().design();
+  for (const char* text : {"=2000", "2000"}) {
+    auto* high = find<NumberField>("Left end z of key blade 1");
+    high->setFocus();
+    high->selectAll();
+    type(text);
+    pressThere(Qt::Key_Return);
+    EXPECT_EQ(bench().design(), now) << text;
+    EXPECT_TRUE(window().banner().text().contains("mm apart")) << window().banner().text().toStdString();
+    EXPECT_NEAR(high->value(), ends()[0].y(), 1e-9);
+  }
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(expression("Lean of key blade 1"), "-lean");
 }
 
 TEST_F(HandleKeysTest, SeveralHandlesMoveByAsMuchAsTheLast) {

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/design/blade_bindings.h"
 #include "bw/core/design/design.h"
+#include "bw/core/shape/blade_ends.h"
 
 namespace bw {
 
@@ -45,7 +47,7 @@ const PolesSurface& polesOf(const Design& design) {
   return std::get<PolesSurface>(design.source().surface->shape);
 }
 
-json withSurface(const char* surface) {
+json withSurface(const std::string& surface) {
   return {{"bladewright_design", 2},
           {"variables", {{{"name", "amplitude"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
           {"sources", {{{"surface", json::parse(surface)}}}}};
@@ -251,6 +253,116 @@ TEST(DesignedSurfaceFiles, EachKindIsReadAndWritten) {
     EXPECT_EQ(written.count("path"), 0u);
     EXPECT_EQ(designOf(designToJson(design)), design);
   }
+}
+
+namespace {
+
+/// Two key blades, what the second one has besides.
+std::string keyBlades(const std::string& second, const std::string& middle = "[300, 200]") {
+  return R"({"type": "blades", "blades": [
+             {"y": 0, "middle": [300, 200], "angle_deg": 4.1, "length_mm": 610, "bend": -0.7, "force": [3, -1]},
+             {"y": 800, "middle": )" +
+         middle + R"(, "length_mm": 620, "bend": -0.5, "force": [2, 1])" + second + "}]}";
+}
+
+const KeyBlade& secondOf(const Design& design) {
+  return std::get<BladesSurface>(design.source().surface->shape).blades[1];
+}
+
+std::array<Eigen::Vector2d, 2> secondEnds(const Design& design) {
+  return bladeEnds(secondOf(design)).value();
+}
+
+}  // namespace
+
+TEST(DesignedSurfaceFiles, EndsOfKeyBladesStandForExpressions) {
+  const Design plain = designOf(withSurface(keyBlades("")).dump());
+  const auto before = secondEnds(plain);
+  // One end: the blade turns about the other as it is.
+  const Design one = designOf(withSurface(keyBlades(R"(, "end_heights": ["=amplitude*6", null])")).dump());
+  EXPECT_NEAR(secondEnds(one)[0].y(), 240, 1e-9);
+  EXPECT_LT((secondEnds(one)[1] - before[1]).norm(), 1e-9);
+  EXPECT_EQ(secondOf(one).length, 620);
+  EXPECT_EQ(secondOf(one).bend, -0.5);
+  // It is read as it was written, to the last bit.
+  const json written = json::parse(designToJson(one))["sources"][0]["surface"]["blades"][1];
+  EXPECT_EQ(written["end_heights"], json::parse(R"(["=amplitude*6", null])"));
+  EXPECT_EQ(designOf(designToJson(one)), one);
+  EXPECT_EQ(resolved(one).value(), one);
+  // It follows, and comes back.
+  const Design other = withVariables(one, {{"amplitude", 45}}).value();
+  EXPECT_NEAR(secondEnds(other)[0].y(), 270, 1e-9);
+  EXPECT_LT((secondEnds(other)[1] - before[1]).norm(), 1e-9);
+  const Design back = withVariables(other, {{"amplitude", 40}}).value();
+  EXPECT_LT((secondEnds(back)[0] - secondEnds(one)[0]).norm(), 1e-9);
+  EXPECT_EQ(back.bindings, one.bindings);
+  // Nothing, too, is a height.
+  const Design zero =
+      designOf(withSurface(keyBlades(R"(, "end_heights": [null, "=amplitude - 40"])", "[300, 20]")).dump());
+  EXPECT_NEAR(secondEnds(zero)[1].y(), 0, 1e-9);
+  EXPECT_EQ(json::parse(designToJson(zero))["sources"][0]["surface"]["blades"][1]["end_heights"][1],
+            "=amplitude - 40");
+  // Both: the middle of the chord keeps its place along x.
+  const Design both =
+      designOf(withSurface(keyBlades(R"(, "end_heights": ["=amplitude*6", "=amplitude*5"])")).dump());
+  EXPECT_NEAR(secondEnds(both)[0].y(), 240, 1e-9);
+  EXPECT_NEAR(secondEnds(both)[1].y(), 200, 1e-9);
+  EXPECT_NEAR((secondEnds(both)[0] + secondEnds(both)[1]).x(), (before[0] + before[1]).x(), 1e-9);
+  EXPECT_EQ(designOf(designToJson(both)), both);
+  // A number turns it once, and is then what the middle tells.
+  const Design number = designOf(withSurface(keyBlades(R"(, "end_heights": [240, null])")).dump());
+  EXPECT_EQ(secondOf(number), secondOf(one));
+  EXPECT_FALSE(
+      json::parse(designToJson(number))["sources"][0]["surface"]["blades"][1].contains("end_heights"));
+  // Typed over: the blade was moved by hand, and its end is free.
+  Design moved = one;
+  std::get<BladesSurface>(moved.source().surface->shape).blades[1].middle.y() += 5;
+  const Design freed = resolved(moved).value();
+  EXPECT_TRUE(freed.bindings.empty());
+  EXPECT_NEAR(secondEnds(freed)[0].y(), 245, 1e-9);
+}
+
+TEST(DesignedSurfaceFiles, EndsKeepTheirHeightsWhereTheBladeIsMadeLonger) {
+  const Design one = designOf(withSurface(keyBlades(R"(, "end_heights": ["=amplitude*6", null])")).dump());
+  Design longer = one;
+  std::get<BladesSurface>(longer.source().surface->shape).blades[1].length = 700;
+  ASSERT_TRUE(holdEnds(longer, one));
+  EXPECT_NEAR(secondEnds(longer)[0].y(), 240, 1e-9);
+  EXPECT_EQ(resolved(longer).value().bindings, one.bindings);
+  const Design high = designOf(withSurface(keyBlades(R"(, "end_heights": ["=amplitude*8", null])")).dump());
+  Design shorter = high;
+  std::get<BladesSurface>(shorter.source().surface->shape).blades[1].length = 10;
+  EXPECT_FALSE(holdEnds(shorter, high)) << "its ends are nearer to each other than the heights";
+  // An expression for the place of the middle takes that of the end away, and the other way round.
+  const std::string blade = "/sources/0/surface/blades/1";
+  auto bindings = one.bindings;
+  bindings[blade + "/middle/1"] = {"amplitude", 40};
+  bindings["/sources/0/surface/blades/0/angle_deg"] = {"amplitude/10", 4};
+  freeRivals(bindings, blade + "/middle/1");
+  EXPECT_FALSE(bindings.contains(blade + "/end_heights/0"));
+  bindings[blade + "/end_heights/1"] = {"amplitude", 40};
+  freeRivals(bindings, blade + "/end_heights/1");
+  EXPECT_FALSE(bindings.contains(blade + "/middle/1"));
+  EXPECT_TRUE(bindings.contains("/sources/0/surface/blades/0/angle_deg")) << "of another blade";
+}
+
+TEST(DesignedSurfaceFiles, SlipsInEndHeightsAreNamed) {
+  const auto message = [](const std::string& second, const std::string& middle = "[300, 200]") {
+    return errorOf(withSurface(keyBlades(second, middle)));
+  };
+  EXPECT_NE(message(R"(, "end_heights": [1])").find("must be two heights in mm"), std::string::npos);
+  EXPECT_NE(message(R"(, "end_heights": ["a", 2])").find("end_heights[0] must be a number"),
+            std::string::npos);
+  EXPECT_NE(message(R"(, "end_heights": ["=amplitde", 2])").find("did you mean"), std::string::npos);
+  EXPECT_NE(message(R"(, "end_heights": [1000, 200])").find("that one cannot lie 800 mm higher"),
+            std::string::npos)
+      << message(R"(, "end_heights": [1000, 200])");
+  EXPECT_NE(message(R"(, "end_heights": [100, null])", R"([300, "=amplitude"])").find("cannot be told by"),
+            std::string::npos);
+  EXPECT_NE(message(R"(, "angle_deg": "=amplitude", "end_heights": [100, null])").find("cannot be told by"),
+            std::string::npos);
+  EXPECT_EQ(message(R"(, "end_heights": null)"), "accepted");
+  EXPECT_EQ(message(R"(, "end_heights": [null, null])", R"([300, "=amplitude"])"), "accepted");
 }
 
 TEST(DesignedSurfaceFiles, AFormulaKeepsTheVariablesThatItUses) {

@@ -35,7 +35,8 @@ json rowOf(const Design& design, std::size_t index) {
   row["order"] = "auto";
   row["blade_length"] = "blade";
   row["offset"] = 0;
-  detail::writeBlockCutKeys(cut, row, [](const std::string&) { return false; });  // its number stands there
+  detail::writeBlockCutKeys(
+      cut, row, [](const std::string&) -> const BoundNumber* { return nullptr; });  // its number stands there
   if (design.grid) return row;  // whose expressions are those of all its cuts
   const std::string place = "/cuts/" + std::to_string(index);
   for (auto bound = design.bindings.lower_bound(place + "/");

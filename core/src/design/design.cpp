@@ -510,9 +510,10 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   json sources = json::array(), stock = json::array(), cuts = json::array();
   /// `isBound` of the writers of a part.
   const auto boundIn = [&design](const std::string& part) {
-    return [&design, part](const std::string& place) {
+    return [&design, part](const std::string& place) -> const BoundNumber* {
       const auto first = design.bindings.lower_bound(part + place);
-      return first != design.bindings.end() && first->first.starts_with(part + place);
+      const bool there = first != design.bindings.end() && first->first.starts_with(part + place);
+      return there ? &first->second : nullptr;
     };
   };
   for (const Source& source : design.sources) {

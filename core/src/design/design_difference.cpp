@@ -69,9 +69,9 @@ Unit unitOf(std::string pointer) {
   if (pointer.ends_with("_mm")) return {" mm"};
   const std::size_t last = pointer.find_last_of('/');
   const std::string key = last == std::string::npos ? pointer : pointer.substr(last + 1);
-  static constexpr auto kLengths =
-      std::to_array<std::string_view>({"origin", "size", "height", "moved", "poles", "x", "y", "bezier",
-                                       "spline", "ducks", "middle", "offset", "blade_length", "spacing"});
+  static constexpr auto kLengths = std::to_array<std::string_view>(
+      {"origin", "size", "height", "moved", "poles", "x", "y", "bezier", "spline", "ducks", "middle",
+       "offset", "blade_length", "spacing", "end_heights"});
   const bool ofGrid =
       pointer.find("/sizes/") != std::string::npos || pointer.find("/gaps/") != std::string::npos;
   return ofGrid || std::ranges::find(kLengths, key) != kLengths.end() ? Unit{" mm"} : Unit{};

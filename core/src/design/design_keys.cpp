@@ -450,7 +450,7 @@ void writeCutKeys(const Cut& cut, json& object) {
   object["sections"] = kSectionRoutes[std::size_t(cut.sections.route)];
 }
 
-void writeBlockCutKeys(const Cut& cut, json& object, const std::function<bool(const std::string&)>& isBound) {
+void writeBlockCutKeys(const Cut& cut, json& object, const BoundBelow& isBound) {
   if (cut.pose.up != BlockFace::top) object["face_up"] = kBlockFaces[std::size_t(cut.pose.up)];
   if (cut.pose.quarters != 0 || isBound("/turn_deg")) object["turn_deg"] = 90 * cut.pose.quarters;
   if (cut.keep != KeptSide::below) object["keep"] = kKeptSides[std::size_t(cut.keep)];

@@ -37,10 +37,11 @@ Eigen::Vector3d degreesThatRead(const Eigen::Vector3d& angles);
 void readVariables(ObjectReader& reader, std::vector<Variable>& variables);
 nlohmann::json variablesJson(const std::vector<Variable>& variables);
 void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface);  ///< surface
-/// `isBound(place)` tells whether something at or below a place in the object, such as "/frame", stands for
-/// an expression: that is written although its number may be the usual one.
-nlohmann::json surfaceJson(const DesignedSurface& surface,
-                           const std::function<bool(const std::string&)>& isBound);
+/// Tells of something at or below a place in an object, such as "/frame", that stands for an expression, the
+/// first; null where nothing does.
+using BoundBelow = std::function<const BoundNumber*(const std::string& place)>;
+/// What stands for an expression is written although its number may be the usual one.
+nlohmann::json surfaceJson(const DesignedSurface& surface, const BoundBelow& isBound);
 
 void readSourceKeys(ObjectReader& reader, Source& source);            ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);          ///< block
@@ -54,12 +55,11 @@ Result<void> readBladeKeys(ObjectReader& reader, const nlohmann::json& object, B
 
 void writeSourceKeys(const Source& source, nlohmann::json& object);
 void writePlacement(const StockBlock& block, nlohmann::json& object);
-/// `isBound(place)` as that of `surfaceJson`, of the whole design.
-nlohmann::json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound);
+/// `isBound` is that of the whole design.
+nlohmann::json gridJson(const BlockGrid& grid, const BoundBelow& isBound);
 void writeCutKeys(const Cut& cut, nlohmann::json& object);
-/// What is as usual is left out, but for what `isBound`, as that of `surfaceJson`, of the cut.
-void writeBlockCutKeys(const Cut& cut, nlohmann::json& object,
-                       const std::function<bool(const std::string&)>& isBound);
+/// What is as usual is left out, but for what `isBound` of the cut.
+void writeBlockCutKeys(const Cut& cut, nlohmann::json& object, const BoundBelow& isBound);
 void writeProcessKeys(const Process& process, nlohmann::json& object);
 
 }  // namespace bw::detail

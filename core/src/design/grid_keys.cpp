@@ -100,7 +100,7 @@ void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid) {
   if (reader.adopt(inner.finish())) grid = std::move(read);
 }
 
-json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound) {
+json gridJson(const BlockGrid& grid, const BoundBelow& isBound) {
   const auto vector = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
   json object = {{"origin", vector(grid.origin)}, {"rotation_deg", vector(degreesThatRead(grid.rotation))}};
   const auto lengths = [&](const std::vector<double>& list, const std::string& place) -> json {

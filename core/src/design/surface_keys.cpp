@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <cmath>
 
 #include "bw/core/base/units.h"
+#include "bw/core/shape/blade_ends.h"
 #include "design/design_keys.h"
 
 namespace bw::detail {
@@ -164,6 +166,35 @@ void readSections(ObjectReader& reader, SectionsSurface& surface) {
   }
 }
 
+/// Turns the blade until its ends have their heights: once all else of it is read.
+void readEndHeights(ObjectReader& reader, const json& list, KeyBlade& blade) {
+  constexpr const char* kKey = "end_heights";
+  if (!list.is_array() || list.size() != 2)
+    return reader.complain(kKey,
+                           reader.path() +
+                               ".end_heights must be two heights in mm, [left, right], or null in place "
+                               "of one that follows the blade");
+  EndHeights heights;
+  for (std::size_t end = 0; end < heights.size(); ++end) {
+    double height = 0;
+    if (list[end].is_null()) continue;
+    if (!reader.number(kKey, entryName(kKey, end), list[end], height, -kFarthest, kFarthest)) return;
+    heights[end] = height;
+  }
+  if (!heights[0] && !heights[1]) return;
+  const json *angle = reader.member("angle_deg"), *middle = reader.member("middle");
+  const auto isText = [](const json& value) { return value.is_string(); };
+  if ((angle && isText(*angle)) || (middle && middle->is_array() && std::ranges::any_of(*middle, isText)))
+    return reader.complain(kKey, reader.path() +
+                                     ".end_heights turns the blade, so that its middle and its angle_deg "
+                                     "cannot be told by expressions; write the numbers there");
+  const Result<KeyBlade> turned = withEndHeights(blade, heights);
+  if (!turned)
+    return reader.complain(kKey, reader.path() + ".end_heights: " + turned.error().message,
+                           turned.error().value, turned.error().limit);
+  blade = *turned;
+}
+
 void readBlade(ObjectReader& reader, KeyBlade& blade) {
   for (const char* key : {"y", "middle", "length_mm"})
     reader.need(key, reader.path() + " needs the key " + key);
@@ -179,6 +210,7 @@ void readBlade(ObjectReader& reader, KeyBlade& blade) {
     readPair(reader, "force", "force", *force, "[along, across] times the length squared", blade.force);
   if (blade.force.norm() > KeyBlade::kMostForce)
     reader.complain("force", reader.path() + ".force is too large", blade.force.norm(), KeyBlade::kMostForce);
+  if (const json* heights = reader.given("end_heights")) readEndHeights(reader, *heights, blade);
 }
 
 void readBlades(ObjectReader& reader, BladesSurface& surface) {
@@ -216,7 +248,7 @@ void writeRectangle(const Rectangle& over, json& object) {
   object["y"] = json::array({over.min.y(), over.max.y()});
 }
 
-using IsBound = std::function<bool(const std::string&)>;
+using IsBound = BoundBelow;
 
 void write(const PolesSurface& surface, json& object, const IsBound& isBound) {
   writeRectangle(surface.over, object);
@@ -253,15 +285,37 @@ void write(const SectionsSurface& surface, json& object, const IsBound&) {
   object["sections"] = std::move(list);
 }
 
-void write(const BladesSurface& surface, json& object, const IsBound&) {
+/// The heights of ends that stand for expressions, null for others; null where none does, or where what tells
+/// the middle does.
+json endHeightsJson(const KeyBlade& blade, const std::string& place, const IsBound& isBound) {
+  if (!isBound(place + "/end_heights/") || isBound(place + "/middle/") || isBound(place + "/angle_deg"))
+    return {};
+  const Result<std::array<Eigen::Vector2d, 2>> ends = bladeEnds(blade);
+  if (!ends) return {};
+  json heights = json::array({nullptr, nullptr});
+  bool any = false;
+  for (const std::size_t end : {0u, 1u}) {
+    const BoundNumber* bound = isBound(place + "/end_heights/" + std::to_string(end));
+    const double height = (*ends)[end].y();
+    if (!bound || !(std::abs(height - bound->value) <= kEndMiss)) continue;
+    heights[end] = bound->value;
+    any = true;
+  }
+  return any ? heights : json();
+}
+
+void write(const BladesSurface& surface, json& object, const IsBound& isBound) {
   json list = json::array();
-  for (const KeyBlade& blade : surface.blades)
+  for (const KeyBlade& blade : surface.blades) {
+    json heights = endHeightsJson(blade, "/blades/" + std::to_string(list.size()), isBound);
     list.push_back({{"y", blade.y},
                     {"middle", pairJson(blade.middle)},
                     {"angle_deg", degreesThatRead(blade.angle)},
                     {"length_mm", blade.length},
                     {"bend", blade.bend},
                     {"force", pairJson(blade.force)}});
+    if (!heights.is_null()) list.back()["end_heights"] = std::move(heights);
+  }
   object["blades"] = std::move(list);
 }
 

@@ -44,12 +44,18 @@ void HandleField::open(const QString& title, std::vector<Line> lines,
   layout()->addWidget(makeNote(title, this));
   auto* column = new FormColumn(this);
   layout()->addWidget(column);
-  for (const Line& line : lines_) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Line& line = lines_[i];
     auto* field = column->add(line.label, new NumberField(line.range));
     field->setAccessibleName(line.name);
     field->setFixedWidth(kFieldWidth);
     field->show(line.value().value_or(0));
-    connect(field, &NumberField::edited, this, [take = line.take, field](double to) { take(to, *field); });
+    connect(field, &NumberField::edited, this, [this, i, take = line.take, field](double to) {
+      take(to, *field);
+      // It may not have been taken.
+      if (const std::optional<double> now = i < lines_.size() ? lines_[i].value() : std::nullopt)
+        field->show(*now);
+    });
     if (line.place) bindNumber(bench_, field, line.place);
     fields_.push_back(field);
   }

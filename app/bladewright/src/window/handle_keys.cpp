@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bw/core/shape/blade_ends.h"
+
 namespace bw::app {
 
 namespace {
@@ -102,6 +104,14 @@ void HandleKeys::take(HandleNumber number, double to, const NumberField& field) 
   if (field.expression().isEmpty()) return handles_.bring(number, to, handles_.steps().plain, true);
   // What stands for an expression is what that comes to, wherever it leads.
   const DesignedSurface& now = *surfaceOf(bench_);
+  if (const std::optional<int> end = endOf(now, handle())) {
+    // Where a hand would be stopped upright, an expression is told that it leads nowhere.
+    EndHeights heights;
+    heights[std::size_t(*end)] = to;
+    const auto& blades = std::get<BladesSurface>(now.shape).blades;
+    const Result<KeyBlade> turned = withEndHeights(blades[std::size_t(*bladeOf(now, handle()))], heights);
+    if (!turned) return bench_.tell(Topic::other, turned.error());
+  }
   const double by = to - *numberOf(now, handle(), number);
   const bool up = number == HandleNumber::height;
   DesignedSurface moved = movedBy(now, handles_.chosen(),
@@ -123,7 +133,10 @@ void HandleKeys::openField(const QKeyEvent* typed) {
                            {-kFarthest, kFarthest, 2, kFieldStep, "mm"}};
     line.value = [this, number]() -> std::optional<double> {
       const DesignedSurface* surface = surfaceOf(bench_);
-      return surface && handle() >= 0 ? numberOf(*surface, handle(), number) : std::nullopt;
+      const std::optional<double> now =
+          surface && handle() >= 0 ? numberOf(*surface, handle(), number) : std::nullopt;
+      const bool follows = now && endOf(*surface, handle());
+      return follows ? asBound(bench_, bw::app::placeOf(bench_, handle(), number), *now, kEndMiss) : now;
     };
     if (handles_.chosen().size() == 1) line.place = placeOf(bench_, handle(), number);
     line.take = [this, number](double to, const NumberField& field) { take(number, to, field); };

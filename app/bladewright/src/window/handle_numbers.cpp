@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "window/handle_numbers.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
 
-#include "bw/core/base/units.h"
-#include "bw/core/shape/key_blades.h"
+#include "bw/core/shape/blade_ends.h"
 
 namespace bw::app {
 
@@ -44,10 +40,7 @@ std::optional<int> endOf(const DesignedSurface& surface, int handle) {
 }
 
 std::array<Eigen::Vector2d, 2> endsOf(const KeyBlade& blade) {
-  const Result<Elastica> curve = elasticaOf(blade);
-  if (!curve) return {blade.middle, blade.middle};
-  const std::vector<Eigen::Vector2d> ends = curve->sample(2);
-  return {ends.front(), ends.back()};
+  return bladeEnds(blade).value_or(std::array{blade.middle, blade.middle});
 }
 
 int mirrorOf(const DesignedSurface& surface, int handle) {
@@ -86,14 +79,10 @@ double* heldNumber(DesignedSurface& surface, int handle, HandleNumber number) {
 /// Turns a key blade about one end until the other is at a height, or upright.
 void liftEnd(KeyBlade& blade, int end, double height) {
   const std::array<Eigen::Vector2d, 2> ends = endsOf(blade);
-  const Eigen::Vector2d about = ends[std::size_t(1 - end)], chord = ends[std::size_t(end)] - about;
-  const double length = chord.norm();
-  if (!(length > 0)) return;
-  const double up = std::asin(std::clamp((height - about.y()) / length, -1.0, 1.0));
-  const double turn = (chord.x() < 0 ? kPi - up : up) - std::atan2(chord.y(), chord.x());
-  const double by = std::remainder(turn, 2 * kPi);
-  blade.middle = about + Eigen::Rotation2Dd(by) * (blade.middle - about);
-  blade.angle += by;
+  const double about = ends[std::size_t(1 - end)].y(), length = (ends[1] - ends[0]).norm();
+  EndHeights heights;
+  heights[std::size_t(end)] = std::clamp(height, about - length, about + length);
+  if (const Result<KeyBlade> turned = withEndHeights(blade, heights)) blade = *turned;
 }
 
 KeyBlade& keyBladeOf(DesignedSurface& surface, int handle) {
@@ -118,13 +107,18 @@ void setNumber(DesignedSurface& surface, int handle, HandleNumber number, double
   if (double* value = heldNumber(surface, handle, number)) *value = to;
 }
 
+NumberPlace placeOfEnd(const Workbench& bench, int blade, int end) {
+  return placeInSurface(bench, "/blades/" + std::to_string(blade) + "/end_heights/" + std::to_string(end));
+}
+
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
   const std::optional<DesignedSurface>& surface = bench.source().surface;
   if (!surface) return [] { return std::string(); };
   if (const auto* poles = std::get_if<PolesSurface>(&surface->shape))
     return placeOfPole(bench, handle / poles->columns, handle % poles->columns);
   const std::string axis = number == HandleNumber::height ? "/1" : "/0";
-  if (endOf(*surface, handle)) return {};
+  if (const std::optional<int> end = endOf(*surface, handle))
+    return placeOfEnd(bench, *bladeOf(*surface, handle), *end);
   if (std::holds_alternative<BladesSurface>(surface->shape))
     return placeInSurface(bench, "/blades/" + std::to_string(handle) + "/middle" + axis);
   const std::optional<SectionPoint> at = sectionPointOf(*surface, handle);

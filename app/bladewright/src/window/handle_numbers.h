@@ -43,8 +43,10 @@ int handleOf(const DesignedSurface& surface, const SectionPoint& point);
 /// The mirror image of a handle, left and right across the travel: itself in the middle, −1 without one.
 int mirrorOf(const DesignedSurface& surface, int handle);
 
-/// Where a number of a handle of the surface at work stands in the file of the design; null where it stands
-/// nowhere.
+/// Where the height of an end of a key blade, 0 left, 1 right, stands in the file of the design if it is told
+/// by an expression.
+NumberPlace placeOfEnd(const Workbench& bench, int blade, int end);
+/// Where a number of a handle of the surface at work stands there.
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number);
 
 /// The surface with some of its handles moved by so many mm: across and up. Cubics of a chain stay in line.

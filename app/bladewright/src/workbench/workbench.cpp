@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "bw/core/design/blade_bindings.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/words/findings.h"
@@ -363,10 +364,12 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
   change(after);
   if (binding_) {
     const auto& [place, bound] = *binding_;
-    if (bound)
+    if (bound) {
       after.bindings[place] = *bound;
-    else
+      freeRivals(after.bindings, place);
+    } else {
       after.bindings.erase(place);
+    }
   }
   if (const auto kept = firstChanged({locked_.begin(), locked_.end()}, design(), after)) {
     tell(Topic::locked, Severity::info,

@@ -5,6 +5,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,11 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
     if (change.any(Aspect::design | Aspect::selection)) refresh();
   });
   refresh();
+}
+
+double asBound(const Workbench& bench, const NumberPlace& place, double value, double within) {
+  const std::optional<BoundNumber> bound = boundAt(bench.design(), place());
+  return bound && std::abs(value - bound->value) <= within ? bound->value : value;
 }
 
 NumberPlace placeInCut(const Workbench& bench, const std::string& key) {

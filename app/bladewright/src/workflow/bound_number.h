@@ -18,6 +18,10 @@ using NumberPlace = std::function<std::string()>;
 /// one that stands there. The number must stand in the file in the unit of the field.
 void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place);
 
+/// `value`, or what the expression at a place came to, where it is that within `within`: of numbers that
+/// follow from others, rounded.
+double asBound(const Workbench& bench, const NumberPlace& place, double value, double within);
+
 /// The places in the file of a number of the cut, and of the block selected; `key` begins with a slash.
 NumberPlace placeInCut(const Workbench& bench, const std::string& key);
 NumberPlace placeInBlock(const Workbench& bench, const std::string& key);

@@ -13,6 +13,8 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/design/blade_bindings.h"
+#include "bw/core/shape/blade_ends.h"
 #include "bw/core/shape/resample.h"
 #include "bw/core/text/number_text.h"
 #include "workflow/section_edits.h"
@@ -164,6 +166,7 @@ void SurfaceFields::refresh() {
     empty(*layout_);
     built_.clear();
     numbers_.clear();
+    ends_.clear();
     return;
   }
   DesignedSurface surface = *bench_.source().surface;
@@ -173,6 +176,7 @@ void SurfaceFields::refresh() {
   }
   kinds_->show(int(surface.shape.index()));
   for (const Number& number : numbers_) number.field->show(number.get(surface) / number.scale);
+  showEnds(surface);
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
     columns_->show(poles->columns);
     rows_->show(poles->rows);
@@ -197,6 +201,7 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
     returnKeyboard(*this);
   empty(*layout_);
   numbers_.clear();
+  ends_.clear();
   sectionKinds_.clear();
   auto* column = new FormColumn(this);
   layout_->addWidget(column);
@@ -221,6 +226,36 @@ NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, cons
   bindNumber(bench_, field, place);
   numbers_.push_back({field, get, unit.scale});
   return field;
+}
+
+NumberField* SurfaceFields::endField(std::size_t blade, std::size_t end, const NumberPlace& place,
+                                     const QString& name) {
+  const Unit unit;
+  auto* field = new NumberField({-kFarthest, kFarthest, unit.decimals, unit.step, unit.suffix});
+  field->setAccessibleName(name);
+  field->setToolTip(name);
+  connect(field, &NumberField::edited, this, [this, blade, end, name](double height) {
+    EndHeights heights;
+    heights[end] = height;
+    const auto& blades = std::get<BladesSurface>(bench_.source().surface->shape).blades;
+    const Result<KeyBlade> turned = withEndHeights(blades[blade], heights);
+    if (!turned) {
+      bench_.tell(Topic::other, turned.error());
+      return refresh();
+    }
+    edit(tr("Change %1").arg(name),
+         [&](DesignedSurface& surface) { std::get<BladesSurface>(surface.shape).blades[blade] = *turned; });
+  });
+  bindNumber(bench_, field, place);
+  ends_.push_back({field, blade, end, place});
+  return field;
+}
+
+void SurfaceFields::showEnds(const DesignedSurface& surface) {
+  const auto* sweep = std::get_if<BladesSurface>(&surface.shape);
+  for (const End& end : ends_)
+    if (const auto ends = bladeEnds(sweep->blades[end.blade]))
+      end.field->show(asBound(bench_, end.place, (*ends)[end.end].y(), kEndMiss));
 }
 
 void SurfaceFields::addRectangle(FormColumn* column) {
@@ -387,9 +422,9 @@ void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, s
 }
 
 void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) {
-  constexpr std::size_t kNumbers = 8;
+  constexpr std::size_t kMost = 15;
   const std::size_t count = surface.blades.size();
-  if (count * kNumbers > kMostFields) {
+  if (count > kMost) {
     column->addWide(makeNote(
         tr("%1 key blades are too many for fields; their numbers are in the design file.").arg(count)));
     return;
@@ -421,6 +456,15 @@ void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) 
     add(
         tr("Lean"), [of](DesignedSurface& s) -> double& { return of(s).angle; }, "/angle_deg",
         {2, 1, QStringLiteral("°"), kDegree}, tr("Angle of the tangent at the middle"));
+    for (const std::size_t end : {0u, 1u}) {
+      const QString label = end == 0 ? tr("Left end z") : tr("Right end z");
+      column->add(
+          label,
+          endField(i, end, placeInSurface(bench_, place + "/end_heights/" + std::to_string(end)),
+                   tr("%1 of key blade %2").arg(label).arg(i + 1)),
+          tr("How high this end of the blade lies; the blade is turned about its other end, as it is. An "
+             "expression here frees those of middle and lean"));
+    }
     add(
         tr("Length"), [of](DesignedSurface& s) -> double& { return of(s).length; }, "/length_mm", mm,
         tr("From end to end of the curve; the blade goes on beyond"));
@@ -476,6 +520,10 @@ std::string SurfaceFields::pointer() const {
 void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
   Design changed = bench_.design();
   change(*changed.sourceOf(bench_.cut()).surface);
+  if (Result<void> ok = holdEnds(changed, bench_.design()); !ok) {
+    bench_.tell(Topic::other, ok.error());
+    return refresh();
+  }
   take(text, changed);
 }
 

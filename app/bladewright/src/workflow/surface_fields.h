@@ -89,6 +89,15 @@ class SurfaceFields : public QWidget {
     Get get;
     double scale = 1;
   };
+  /// The height of an end of a key blade, 0 left, 1 right: it follows from the other numbers, and turns the
+  /// blade about its other end where it is typed.
+  struct End {
+    NumberField* field;
+    std::size_t blade, end;
+    NumberPlace place;
+  };
+  NumberField* endField(std::size_t blade, std::size_t end, const NumberPlace& place, const QString& name);
+  void showEnds(const DesignedSurface& surface);
   Workbench& bench_;
   QVBoxLayout* layout_;
   std::string built_;  ///< what the lines are for
@@ -98,6 +107,7 @@ class SurfaceFields : public QWidget {
   NumberField *columns_ = nullptr, *rows_ = nullptr;
   FormulaField* formula_ = nullptr;
   std::vector<Number> numbers_;
+  std::vector<End> ends_;
 };
 
 }  // namespace bw::app
