@@ -37,6 +37,23 @@ Result<int> placeOf(const std::string& word, const std::vector<std::string>& wor
               what);
 }
 
+/// "; its layers are holes (1 curve) and roof (3 curves), of which --layer takes some"; empty for one.
+std::string layersText(const std::vector<pipeline::DrawnLayer>& layers) {
+  constexpr std::size_t kSome = 10;
+  if (layers.size() < 2) return {};
+  std::string text = "; its layers are ";
+  for (std::size_t i = 0; i < std::min(layers.size(), kSome); ++i) {
+    const bool last = i + 1 == layers.size();
+    text += (i == 0 ? ""
+             : last ? " and "
+                    : ", ") +
+            layers[i].name + " (" + std::to_string(layers[i].curves) +
+            (layers[i].curves == 1 ? " curve)" : " curves)");
+  }
+  if (layers.size() > kSome) text += " and " + std::to_string(layers.size() - kSome) + " more";
+  return text + ", of which --layer takes some";
+}
+
 int runSections(const Session& session, const SectionsOptions& options) {
   if (Result<void> ok = session.mayWriteDesign(options.out); !ok) return session.complain(ok.error());
   pipeline::DrawnRequest request;
@@ -55,9 +72,16 @@ int runSections(const Session& session, const SectionsOptions& options) {
   request.names = options.layers;
   const Result<std::string> bytes = session.readInput(options.file);
   if (!bytes) return session.complain(bytes.error());
+  const Result<pipeline::DrawnCurves> curves =
+      pipeline::drawnCurves(*bytes, options.file, request.unit, session.context());
+  if (!curves) return session.complain(curves.error());
   Result<pipeline::DrawnDesign> drawn =
-      pipeline::designThrough(*bytes, options.file, request, session.context());
-  if (!drawn) return session.complain(drawn.error());
+      pipeline::designThrough(*curves, options.file, request, session.context());
+  if (!drawn) {
+    if (request.names.empty() && curves->format == "DXF" && drawn.error().code != ErrorCode::cancelled)
+      drawn.error().message += layersText(pipeline::layersOf(*curves));
+    return session.complain(drawn.error());
+  }
   session.endProgress();
   for (const std::string& line : drawn->leftOut) std::cerr << "left out: " << printable(line) << "\n";
   if (request.unit ? lengthUnitName(*request.unit) != drawn->unit
@@ -79,8 +103,7 @@ void addSectionsVerb(CLI::App& app, const Session& session, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "sections", "A design with a loft through the curves of a CAD file: STEP, IGES or DXF");
   const auto options = std::make_shared<SectionsOptions>();
-  verb->add_option("FILE", options->file, "STEP, IGES, BREP or DXF file; - for standard input")
-      ->required();
+  verb->add_option("FILE", options->file, "STEP, IGES, BREP or DXF file; - for standard input")->required();
   verb->add_option("--out", options->out, "The design that is written")->type_name("DESIGN")->required();
   verb->add_option("--points", options->points,
                    "Points of each section (as few as keep the tolerance); the status is 1 if they do not")

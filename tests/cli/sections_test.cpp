@@ -129,6 +129,28 @@ TEST(SectionsFromCurves, UnitsLayersKindsAndNumbersOfPoints) {
       << unknown.err;
 }
 
+TEST(SectionsFromCurves, ALayerIsTakenWhateverLiesOnOthers) {
+  const Folder folder;
+  const std::string file = folder.write(
+      "walls.dxf", drawing("0 CIRCLE 8 holes 10 0 20 0 40 5 " + polyline(0) + polyline(800) +
+                           polyline(100, 1, 0, 600, "ceiling") + polyline(700, 1, 0, 600, "ceiling")));
+  const std::string design = folder / "a.bladewright";
+  const Finished all = blade({"sections", file, "--out", design});
+  EXPECT_EQ(all.status, 2);
+  EXPECT_NE(all.err.find("curve 1, a circle on the layer holes"), std::string::npos) << all.err;
+  EXPECT_NE(all.err.find("its layers are ceiling (2 curves), holes (1 curve) and roof (2 curves), of which "
+                         "--layer takes some"),
+            std::string::npos)
+      << all.err;
+  EXPECT_EQ(blade({"sections", file, "--layer", "ceiling", "--out", design}).status, 0);
+  EXPECT_EQ(surfaceOf(design)["sections"][0]["y"], 100.0);
+  EXPECT_EQ(blade({"sections", file, "--curves", "2-3", "--out", design}).status, 0);
+  EXPECT_EQ(surfaceOf(design)["sections"][1]["y"], 800.0);
+  const Finished circle = blade({"sections", file, "--curves", "1,2", "--out", design});
+  EXPECT_EQ(circle.status, 2);
+  EXPECT_NE(circle.err.find("is closed"), std::string::npos) << circle.err;
+}
+
 TEST(SectionsFromCurves, SplinesByFitPointsAloneBecomeSections) {
   const Folder folder;
   std::string all;

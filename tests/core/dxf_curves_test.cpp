@@ -416,31 +416,6 @@ TEST(DxfCurves, FitPointsTurnedAndScaledGiveTheSameCurveTurnedAndScaled) {
   }
 }
 
-TEST(DxfCurves, FewOrRepeatedOrWrongFitPoints) {
-  const SpaceCurve line = read(drawing(fitSpline({{0, 0, 0}, {600, 0, 30}}))).curves.at(0);
-  EXPECT_LT((line.value(line.end() / 4) - Eigen::Vector3d(150, 0, 7.5)).norm(), 1e-9);
-  const Points points = {{0, 0, 0}, {40, 0, 80}, {300, 0, 90}};
-  Points repeated = {points[0], points[0], points[1], points[2], points[2]};
-  EXPECT_EQ(read(drawing(fitSpline(repeated))).curves.at(0).poles,
-            read(drawing(fitSpline(points))).curves.at(0).poles);
-  expectError(drawing(fitSpline({{1, 2, 3}})), ErrorCode::badInput,
-              "curve 1 (line 16) is a spline through fewer than two different points");
-  expectError(drawing(fitSpline({points[0], points[0]})), ErrorCode::badInput, "fewer than two different");
-  expectError(drawing(fitSpline({points[0], points[1]}, "", 9)), ErrorCode::badInput,
-              "a closed spline through fewer than three different points");
-  expectError(drawing("0 SPLINE 8 0 70 8 71 3 72 0 73 0 74 4 11 0 21 0 31 0"), ErrorCode::cannotRead,
-              "tells of 4 fit points and has 1");
-  expectError(drawing("0 SPLINE 8 0 70 8 74 1 21 0"), ErrorCode::cannotRead,
-              "tells of a fit point before the first one");
-  expectError(drawing("0 SPLINE 8 0 70 8 74 2 11 0 21 0 11 nan 21 0"), ErrorCode::cannotRead,
-              "where a finite number stands");
-  expectError(drawing(fitSpline({{0, 0, 0}, {1e300, 0, 0}})), ErrorCode::badInput, "beyond a million metres");
-  // Points that almost repeat give no wild curve.
-  const SpaceCurve near =
-      read(drawing(fitSpline({{0, 0, 0}, {300, 0, 50}, {300, 0, 50 + 1e-9}, {600, 0, 0}}))).curves.at(0);
-  for (const Eigen::Vector3d& p : near.samples(200)) EXPECT_LT(p.norm(), 1000);
-}
-
 namespace {
 
 /// What is told by words as `groups`, as a binary file whose codes have so many bytes.
@@ -487,6 +462,70 @@ const std::string kMixed =
     "0 INSERT 8 roof 2 B 10 10 20 20 30 30 50 90 0 TEXT 8 0 1 title 0 ENDSEC 0 EOF ";
 
 }  // namespace
+
+TEST(DxfCurves, WhatMakesNoSectionIsToldBesideTheOthersWithItsNumberAndLayer) {
+  const DxfCurves all = read(drawing(
+      "0 LINE 8 walls 10 0 20 0 11 9 21 9 0 CIRCLE 8 holes 10 0 20 0 40 5 0 LINE 8 roof 10 0 20 0 11 5 21 0 "
+      "0 SPLINE 8 bad 71 3 40 0 40 1 10 0 20 0 30 0 0 LINE 8 roof 10 0 20 0 11 7 21 0"));
+  ASSERT_EQ(all.curves.size(), 3u);
+  EXPECT_EQ(all.curves[1].number, 3);
+  EXPECT_EQ(all.curves[2].number, 5);
+  ASSERT_EQ(all.unusable.size(), 2u);
+  EXPECT_EQ(all.unusable[0].number, 2);
+  EXPECT_EQ(all.unusable[0].name, "holes");
+  EXPECT_NE(all.unusable[0].why.message.find("curve 2, a circle on the layer holes"), std::string::npos);
+  EXPECT_EQ(all.unusable[1].number, 4);
+  EXPECT_NE(all.unusable[1].why.message.find("of degree 3 it takes 4"), std::string::npos);
+}
+
+TEST(DxfCurves, AWishToStopEndsTheReading) {
+  std::stop_source stop;
+  RunContext context;
+  context.stop = stop.get_token();
+  double share = -1;
+  context.progress = [&](double fraction, std::string_view) {
+    EXPECT_GE(fraction, share);
+    EXPECT_LE(fraction, 1);
+    share = fraction;
+    if (fraction > 0.4) stop.request_stop();
+  };
+  std::string points;
+  for (int i = 0; i < 30'000; ++i) points += "0 POINT 8 x ";
+  for (const std::string& bytes : {drawing(points), binary("0 SECTION 2 ENTITIES " + points + "0 EOF ", 2)}) {
+    share = -1;
+    stop = std::stop_source();
+    context.stop = stop.get_token();
+    const auto result = readDxf(bytes, "a.dxf", std::nullopt, context);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::cancelled);
+    EXPECT_LT(share, 0.9);
+  }
+}
+
+TEST(DxfCurves, FewOrRepeatedOrWrongFitPoints) {
+  const SpaceCurve line = read(drawing(fitSpline({{0, 0, 0}, {600, 0, 30}}))).curves.at(0);
+  EXPECT_LT((line.value(line.end() / 4) - Eigen::Vector3d(150, 0, 7.5)).norm(), 1e-9);
+  const Points points = {{0, 0, 0}, {40, 0, 80}, {300, 0, 90}};
+  Points repeated = {points[0], points[0], points[1], points[2], points[2]};
+  EXPECT_EQ(read(drawing(fitSpline(repeated))).curves.at(0).poles,
+            read(drawing(fitSpline(points))).curves.at(0).poles);
+  expectError(drawing(fitSpline({{1, 2, 3}})), ErrorCode::badInput,
+              "curve 1, a spline on the layer roof (line 16), is told by fewer than two different points");
+  expectError(drawing(fitSpline({points[0], points[0]})), ErrorCode::badInput, "fewer than two different");
+  expectError(drawing(fitSpline({points[0], points[1]}, "", 9)), ErrorCode::badInput,
+              "a closed spline on the layer roof (line 16), is told by fewer than three different points");
+  expectError(drawing("0 SPLINE 8 0 70 8 71 3 72 0 73 0 74 4 11 0 21 0 31 0"), ErrorCode::cannotRead,
+              "tells of 4 fit points and has 1");
+  expectError(drawing("0 SPLINE 8 0 70 8 74 1 21 0"), ErrorCode::cannotRead,
+              "tells of a fit point before the first one");
+  expectError(drawing("0 SPLINE 8 0 70 8 74 2 11 0 21 0 11 nan 21 0"), ErrorCode::cannotRead,
+              "where a finite number stands");
+  expectError(drawing(fitSpline({{0, 0, 0}, {1e300, 0, 0}})), ErrorCode::badInput, "beyond a million metres");
+  // Points that almost repeat give no wild curve.
+  const SpaceCurve near =
+      read(drawing(fitSpline({{0, 0, 0}, {300, 0, 50}, {300, 0, 50 + 1e-9}, {600, 0, 0}}))).curves.at(0);
+  for (const Eigen::Vector3d& p : near.samples(200)) EXPECT_LT(p.norm(), 1000);
+}
 
 TEST(DxfCurves, BinaryFilesHoldTheSameAsTexts) {
   const DxfCurves text = read(groups(kMixed));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "bw/core/dxf/dxf_curves.h"
 #include "bw/core/text/number_text.h"
@@ -23,34 +24,17 @@ constexpr double kReadable = 1e9;             // parts of a mm that places are r
 constexpr double kRounding = 1e-12;           // of a direction: what is left of an axis
 constexpr double kWhole = 10;                 // mm to which its length is rounded up
 
-struct Curves {
-  std::string format, unit;
-  std::vector<SpaceCurve> curves;
-  std::vector<std::string> leftOut;
-};
-
-Result<Curves> curvesOf(const std::string& bytes, const std::string& name, std::optional<LengthUnit> unit,
-                        const RunContext& context) {
-  if (isDxf(bytes)) {
-    Result<DxfCurves> read = readDxf(bytes, name, unit ? std::optional(millimetres(*unit)) : std::nullopt);
-    if (!read) return tl::unexpected<Error>(read.error());
-    return Curves{"DXF", std::move(read->unit), std::move(read->curves), std::move(read->leftOut)};
-  }
-  Result<geometry::CadCurves> read = geometry::readCurves(bytes, name, context, {unit});
-  if (!read) return tl::unexpected<Error>(read.error());
-  return Curves{std::move(read->format), std::move(read->unit), std::move(read->curves),
-                std::move(read->leftOut)};
-}
-
-/// Leaves the curves that are asked for.
-Result<void> choose(std::vector<SpaceCurve>& curves, const DrawnRequest& request) {
+/// The curves that are asked for; an error tells of the first one of them that cannot be used.
+Result<std::vector<SpaceCurve>> chosen(const DrawnCurves& all, const DrawnRequest& request) {
+  std::vector<SpaceCurve> curves = all.curves;
+  std::vector<UnusableCurve> unusable = all.unusable;
   if (!request.names.empty()) {
+    const std::vector<DrawnLayer> layers = layersOf(all);
     for (const std::string& wanted : request.names) {
-      if (std::ranges::find(curves, wanted, &SpaceCurve::name) != curves.end()) continue;
+      if (std::ranges::find(layers, wanted, &DrawnLayer::name) != layers.end()) continue;
       std::vector<std::string> names;
-      for (const SpaceCurve& curve : curves)
-        if (!curve.name.empty() && std::ranges::find(names, curve.name) == names.end())
-          names.push_back(curve.name);
+      for (const DrawnLayer& layer : layers)
+        if (!layer.name.empty()) names.push_back(layer.name);
       const std::string nearest = nearestWord(wanted, names.data(), int(names.size()));
       std::string some;
       for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 10); ++i)
@@ -60,27 +44,41 @@ Result<void> choose(std::vector<SpaceCurve>& curves, const DrawnRequest& request
                       (nearest.empty() ? some : "; did you mean \"" + nearest + "\"?"),
                   "layer");
     }
-    std::erase_if(curves, [&](const SpaceCurve& curve) {
+    const auto other = [&](const auto& curve) {
       return std::ranges::find(request.names, curve.name) == request.names.end();
-    });
+    };
+    std::erase_if(curves, other);
+    std::erase_if(unusable, other);
   }
   if (!request.numbers.empty()) {
-    int most = 0;
-    for (const SpaceCurve& curve : curves) most = std::max(most, curve.number);
+    std::vector<int> there;
+    for (const SpaceCurve& curve : curves) there.push_back(curve.number);
+    for (const UnusableCurve& curve : unusable) there.push_back(curve.number);
+    std::ranges::sort(there);
+    const int most = there.back();
     const Result<std::vector<int>> numbers = readNumberList(request.numbers, most, "curve", 1);
     if (!numbers) return tl::unexpected<Error>(numbers.error());
     for (const int number : *numbers)
-      if (std::ranges::find(curves, number, &SpaceCurve::number) == curves.end())
+      if (!std::ranges::binary_search(there, number))
         return fail(ErrorCode::badInput,
                     "there is no curve " + std::to_string(number) +
-                        " among those of the file; the first is " + std::to_string(curves.front().number) +
+                        " among those of the file; the first is " + std::to_string(there.front()) +
                         ", the last " + std::to_string(most),
                     "curves", number, most);
-    std::erase_if(curves, [&](const SpaceCurve& curve) {
+    const auto other = [&](const auto& curve) {
       return std::ranges::find(*numbers, curve.number) == numbers->end();
-    });
+    };
+    std::erase_if(curves, other);
+    std::erase_if(unusable, other);
   }
-  return {};
+  if (!unusable.empty()) return tl::unexpected<Error>(unusable.front().why);
+  return curves;
+}
+
+/// Whether something at or below a place of the design's file is told by an expression.
+bool isBound(const Design& design, const std::string& place) {
+  const auto first = design.bindings.lower_bound(place);
+  return first != design.bindings.end() && first->first.starts_with(place);
 }
 
 /// Where the block lies around the surface.
@@ -97,12 +95,42 @@ BlockPlacement blockAround(const DrawnSections& drawn) {
 
 }  // namespace
 
+Result<DrawnCurves> drawnCurves(const std::string& bytes, const std::string& name,
+                                std::optional<LengthUnit> unit, const RunContext& context) {
+  if (isDxf(bytes)) {
+    Result<DxfCurves> read =
+        readDxf(bytes, name, unit ? std::optional(millimetres(*unit)) : std::nullopt, context);
+    if (!read) return tl::unexpected<Error>(read.error());
+    return DrawnCurves{"DXF", std::move(read->unit), std::move(read->curves), std::move(read->unusable),
+                       std::move(read->leftOut)};
+  }
+  Result<geometry::CadCurves> read = geometry::readCurves(bytes, name, context, {unit});
+  if (!read) return tl::unexpected<Error>(read.error());
+  return DrawnCurves{
+      std::move(read->format), std::move(read->unit), std::move(read->curves), {}, std::move(read->leftOut)};
+}
+
+std::vector<DrawnLayer> layersOf(const DrawnCurves& curves) {
+  std::map<std::string, int> counts;
+  for (const SpaceCurve& curve : curves.curves) ++counts[curve.name];
+  for (const UnusableCurve& curve : curves.unusable) ++counts[curve.name];
+  std::vector<DrawnLayer> layers;
+  for (const auto& [name, count] : counts) layers.push_back({name, count});
+  return layers;
+}
+
 Result<DrawnDesign> designThrough(const std::string& bytes, const std::string& name,
                                   const DrawnRequest& request, const RunContext& context) {
-  Result<Curves> read = curvesOf(bytes, name, request.unit, context);
-  if (!read) return tl::unexpected<Error>(read.error());
-  if (Result<void> ok = choose(read->curves, request); !ok) return tl::unexpected<Error>(ok.error());
-  Result<DrawnSections> sections = sectionsThrough(read->curves, request.sections, context);
+  const Result<DrawnCurves> curves = drawnCurves(bytes, name, request.unit, context);
+  if (!curves) return tl::unexpected<Error>(curves.error());
+  return designThrough(*curves, name, request, context);
+}
+
+Result<DrawnDesign> designThrough(const DrawnCurves& all, const std::string& name,
+                                  const DrawnRequest& request, const RunContext& context) {
+  const Result<std::vector<SpaceCurve>> curves = chosen(all, request);
+  if (!curves) return tl::unexpected<Error>(curves.error());
+  Result<DrawnSections> sections = sectionsThrough(*curves, request.sections, context);
   if (!sections) {
     if (sections.error().code != ErrorCode::cancelled)
       sections.error().message = name + " gives no surface: " + sections.error().message;
@@ -110,8 +138,8 @@ Result<DrawnDesign> designThrough(const std::string& bytes, const std::string& n
   }
   Result<Design> begun = exampleDesign(kSingleBlock);
   if (!begun) return tl::unexpected<Error>(begun.error());
-  DrawnDesign drawn{std::move(*begun), std::move(*sections), int(read->curves.size()),
-                    read->format,      read->unit,           std::move(read->leftOut)};
+  DrawnDesign drawn{std::move(*begun), std::move(*sections), int(curves->size()), all.format,
+                    all.unit,          all.leftOut};
   Design& design = drawn.design;
   design.name = std::filesystem::path(name).stem().string();
   design.source().surface = drawn.sections.surface;
@@ -121,6 +149,24 @@ Result<DrawnDesign> designThrough(const std::string& bytes, const std::string& n
   design.cut().direction = travel;
   design.blade.length = std::ceil((drawn.sections.longest + kLonger) / kWhole) * kWhole;
   return drawn;
+}
+
+Design withDrawn(const Design& design, const std::vector<DrawnDesign>& earlier, const DrawnDesign& next) {
+  Design changed = design;
+  changed.source().surface = next.design.source().surface;
+  std::erase_if(changed.bindings,
+                [](const auto& bound) { return bound.first.starts_with("/sources/0/surface/"); });
+  // What a hand has set since stays, and so do expressions.
+  const auto follow = [&](auto&& part) {
+    const bool asMade = std::ranges::any_of(
+        earlier, [&](const DrawnDesign& each) { return part(each.design) == part(design); });
+    if (asMade) part(changed) = part(next.design);
+  };
+  if (!design.grid && !isBound(design, "/stock/0/block"))
+    follow([](auto& of) -> auto& { return of.block().placement; });
+  if (!isBound(design, "/cuts/0/direction")) follow([](auto& of) -> auto& { return of.cut().direction; });
+  if (!isBound(design, "/blade/length")) follow([](auto& of) -> auto& { return of.blade.length; });
+  return changed;
 }
 
 std::string drawnText(const DrawnDesign& drawn, const std::string& name) {

@@ -32,6 +32,7 @@ constexpr double kWholeTurn = 1e-9;  // rad by which an arc may miss one
 constexpr double kTurn = 2 * kPi;
 constexpr std::size_t kMostKinds = 20;          // of entities that are left out, told by name
 constexpr std::size_t kMostGroups = 1'000'000;  // of an entity
+constexpr std::size_t kLookEvery = 10'000;      // groups, for a wish to stop
 constexpr int kDeepest = 32;                    // blocks within each other
 constexpr double kInsertion = 20;               // values that one counts as
 constexpr double kMostInserted = 2e7;           // values of all blocks, as often as they are inserted
@@ -72,8 +73,9 @@ constexpr Unit kUnits[] = {{0, "mm (assumed)", 1}, {1, "inch", 25.4}, {2, "foot"
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& name, std::optional<double> unit)
-      : groups_(text, name), name_(name), asked_(unit) {}
+  Reader(std::string_view bytes, const std::string& name, std::optional<double> unit,
+         const RunContext& context)
+      : groups_(bytes, name), name_(name), asked_(unit), context_(context) {}
 
   Result<DxfCurves> read() {
     // The section that groups are of, and the entity that is being gathered.
@@ -81,9 +83,13 @@ class Reader {
     bool named = true;
     Entity entity;
     std::string_view variable;
-    for (;;) {
+    for (std::size_t count = 0;; ++count) {
       const Result<Group> group = groups_.next();
       if (!group) return tl::unexpected<Error>(group.error());
+      if (count % kLookEvery == 0) {
+        if (context_.stopped()) return stoppedError();
+        context_.report(groups_.share(), "reading curves");
+      }
       const std::string_view value = trimmed(group->value);
       if (group->code == 0) {
         if (section == "ENTITIES")
@@ -258,35 +264,53 @@ class Reader {
     return {};
   }
 
+  /// The number of the curve that comes next.
+  int nextNumber() const { return int(found_.curves.size() + found_.unusable.size()) + 1; }
+  Result<void> count(std::size_t points) {
+    points_ += points;
+    if (std::size_t(nextNumber()) <= DxfCurves::kMost && points_ <= DxfCurves::kMostPoints) return {};
+    return fail(ErrorCode::badInput,
+                name_ + " holds more than " + std::to_string(DxfCurves::kMost) + " curves, or " +
+                    std::to_string(DxfCurves::kMostPoints) +
+                    " points of curves; export those that are needed alone",
+                name_, double(nextNumber()), double(DxfCurves::kMost));
+  }
+
   Result<void> add(SpaceCurve curve, const Entity& entity) {
-    curve.number = int(found_.curves.size()) + 1;
+    curve.number = nextNumber();
     curve.name = layerOf(entity);
     // Weights stay whatever the block is stretched by: an arc becomes one of an ellipse.
     for (Eigen::Vector3d& pole : curve.poles) pole = asked_.value_or(unit_.mm) * (placement_ * pole);
-    points_ += curve.poles.size();
-    if (found_.curves.size() >= DxfCurves::kMost || points_ > DxfCurves::kMostPoints)
-      return fail(ErrorCode::badInput,
-                  name_ + " holds more than " + std::to_string(DxfCurves::kMost) + " curves, or " +
-                      std::to_string(DxfCurves::kMostPoints) +
-                      " points of curves; export those that are needed alone",
-                  name_, double(found_.curves.size() + 1), double(DxfCurves::kMost));
+    if (Result<void> ok = count(curve.poles.size()); !ok) return ok;
     if (Result<void> ok = checkSpaceCurve(curve); !ok) {
       Error error = ok.error();
       error.message = name_ + ": " + error.message + " (" + placeOf(entity) + ")";
-      return tl::unexpected<Error>(error);
+      found_.unusable.push_back({curve.number, curve.name, std::move(error)});
+      return {};
     }
     found_.curves.push_back(std::move(curve));
     return {};
   }
 
-  tl::unexpected<Error> closed(const Entity& entity, const std::string& what) const {
-    return fail(
-        ErrorCode::badInput,
-        name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + ", " + what +
-            (layerOf(entity).empty() ? "" : " on the layer " + layerOf(entity)) + " (" + placeOf(entity) +
-            "), is closed; a section is open, from one side of the block to the other: cut it open, or "
-            "leave it out",
-        name_, double(entity.place));
+  /// A curve of which nothing can be made: "curve 3, a circle on the layer holes (line 16), is closed; …".
+  Result<void> leave(const Entity& entity, const std::string& what, const std::string& why) {
+    if (Result<void> ok = count(0); !ok) return ok;
+    const int number = nextNumber();
+    const std::string layer = layerOf(entity);
+    found_.unusable.push_back({number, layer,
+                               fail(ErrorCode::badInput,
+                                    name_ + " cannot be used: curve " + std::to_string(number) + ", " + what +
+                                        (layer.empty() ? "" : " on the layer " + printable(layer)) + " (" +
+                                        placeOf(entity) + "), " + why,
+                                    name_, double(entity.place))
+                                   .value()});
+    return {};
+  }
+
+  Result<void> closed(const Entity& entity, const std::string& what) {
+    return leave(entity, what,
+                 "is closed; a section is open, from one side of the block to the other: cut it open, or "
+                 "leave it out");
   }
 
   tl::unexpected<Error> refuseInsert(const Entity& entity, const std::string& why) const {
@@ -481,8 +505,8 @@ class Reader {
     if (*flags & kFramePoint) return {};
     if (polyline_->points.size() > SpaceCurve::kMostPoles)
       return fail(ErrorCode::badInput,
-                  name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) +
-                      " has more than " + std::to_string(SpaceCurve::kMostPoles) +
+                  name_ + " cannot be used: curve " + std::to_string(nextNumber()) + " has more than " +
+                      std::to_string(SpaceCurve::kMostPoles) +
                       " points; export it as a spline, or more coarsely",
                   name_, double(SpaceCurve::kMostPoles + 1), double(SpaceCurve::kMostPoles));
     polyline_->points.push_back(*p);
@@ -565,12 +589,10 @@ class Reader {
     std::optional<SpaceCurve> curve =
         dxf::curveThrough({std::move(points), *start, *end, (*flags & kClosed) != 0});
     if (curve) return add(std::move(*curve), entity);
-    return fail(ErrorCode::badInput,
-                name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + " (" +
-                    placeOf(entity) + ") is a " + (*flags & kClosed ? "closed " : "") +
-                    "spline through fewer than " + (*flags & kClosed ? "three" : "two") +
-                    " different points; draw it again, or leave it out",
-                name_, double(entity.place));
+    const bool isClosed = (*flags & kClosed) != 0;
+    return leave(entity, isClosed ? "a closed spline" : "a spline",
+                 std::string("is told by fewer than ") + (isClosed ? "three" : "two") +
+                     " different points; draw it again, or leave it out");
   }
 
   Result<DxfCurves> finish() {
@@ -578,6 +600,7 @@ class Reader {
     for (const auto& [what, count] : left_)
       found_.leftOut.push_back(std::to_string(count) + " × " + printable(what));
     if (!found_.curves.empty()) return std::move(found_);
+    if (!found_.unusable.empty()) return tl::unexpected<Error>(found_.unusable.front().why);
     std::string held;
     for (const std::string& what : found_.leftOut) held += (held.empty() ? ", only " : ", ") + what;
     return fail(ErrorCode::badInput,
@@ -601,6 +624,7 @@ class Reader {
   int depth_ = 0;                                            // blocks that it lies in
   double inserted_ = 0;                                      // values of blocks so far
   std::optional<double> asked_;
+  const RunContext& context_;
   Unit unit_ = kUnits[0];
   std::optional<Polyline> polyline_;
   bool paperPolyline_ = false;
@@ -619,7 +643,8 @@ bool isDxf(std::string_view bytes) {
   return first && first->code == 0 && trimmed(first->value) == "SECTION";
 }
 
-Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name, std::optional<double> unit) {
+Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name, std::optional<double> unit,
+                          const RunContext& context) {
   if (bytes.starts_with(kBinaryName) && !bytes.starts_with(dxf::kBinaryMark))
     return fail(
         ErrorCode::cannotRead,
@@ -630,7 +655,7 @@ Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name, std::
   if (!isDxf(bytes))
     return fail(ErrorCode::cannotRead,
                 "cannot read " + name + ": it is no DXF file; export it again from the CAD program", name);
-  return Reader(bytes, name, unit).read();
+  return Reader(bytes, name, unit, context).read();
 }
 
 }  // namespace bw

@@ -11,6 +11,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
+#include "bw/core/dxf/dxf_curves.h"
 #include "bw/core/shape/drawn_sections.h"
 
 namespace bw::pipeline {
@@ -22,6 +23,27 @@ struct DrawnRequest {
   std::string numbers = {};                       ///< of curves, as "1, 3-5" from 1; empty: all
   std::vector<std::string> names = {};            ///< of layers or curves; empty: all
 };
+
+/// The curves of a file.
+struct DrawnCurves {
+  std::string format, unit;             ///< of the file
+  std::vector<SpaceCurve> curves;       ///< in its order
+  std::vector<UnusableCurve> unusable;  ///< of it: of these no section can be made
+  std::vector<std::string> leftOut;     ///< of it, in words
+};
+
+/// Reads them from the bytes of a STEP, IGES, BREP or DXF file; its numbers are taken in `unit`, or as it
+/// states. `name` serves messages. Errors: those of `geometry::readCurves` and `readDxf`.
+Result<DrawnCurves> drawnCurves(const std::string& bytes, const std::string& name,
+                                std::optional<LengthUnit> unit, const RunContext& context = {});
+
+struct DrawnLayer {
+  std::string name;
+  int curves = 0;  ///< on it, those that cannot be used among them
+};
+
+/// The layers of a drawing on which curves lie, by their names; of STEP, IGES and BREP the names of curves.
+std::vector<DrawnLayer> layersOf(const DrawnCurves& curves);
 
 struct DrawnDesign {
   Design design;
@@ -38,6 +60,14 @@ struct DrawnDesign {
 /// the file's name; a choice of curves that there are not (`badInput`).
 Result<DrawnDesign> designThrough(const std::string& bytes, const std::string& name,
                                   const DrawnRequest& request, const RunContext& context = {});
+/// The same of curves that are read; what `request` says of their unit is passed over.
+Result<DrawnDesign> designThrough(const DrawnCurves& curves, const std::string& name,
+                                  const DrawnRequest& request, const RunContext& context = {});
+
+/// `design` with its first source made from other curves of a drawing: the surface is that of `next`, and of
+/// the first block its place, of the first cut its direction, and the length of the blade are those of `next`
+/// where they still are as one of `earlier`, made from the same drawing, has them.
+Design withDrawn(const Design& design, const std::vector<DrawnDesign>& earlier, const DrawnDesign& next);
 
 /// "3 curves (2 pieces joined) of walls.dxf: the loft of 3 sections with 7 points each lies within 0.08 mm of
 /// them (the farthest is curve 2)": what became of the curves, for people.
