@@ -185,9 +185,11 @@ int main(int argc, char** argv) {
   if (!oneShot) window.recover();
   if (oneShot) {
     if (!opened) complain(opened.error());
-    if (window.onStartPage()) {
-      QTimer::singleShot(0, &window, finish);
-    } else {
+    const auto await = [&] {
+      if (window.onStartPage()) {
+        QTimer::singleShot(0, &window, finish);
+        return;
+      }
       // The result's picture, or the notice that tells why there is none.
       QObject::connect(&window, &bw::app::MainWindow::pictureStands, &window, finish,
                        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
@@ -196,7 +198,17 @@ int main(int argc, char** argv) {
         if (const std::optional<bw::Error>& error = window.bench().runner().error()) complain(*error);
         QTimer::singleShot(0, &window, finish);
       });
-    }
+    };
+    if (window.bench().reading())
+      QObject::connect(
+          &window.bench(), &bw::app::Workbench::readingEnded, &window,
+          [&, await] {
+            if (const std::optional<bw::Error>& error = window.bench().readingError()) complain(*error);
+            await();
+          },
+          Qt::SingleShotConnection);
+    else
+      await();
   }
   return QApplication::exec();
 }

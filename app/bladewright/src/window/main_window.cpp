@@ -66,6 +66,10 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   bench_.setEarlierQuestion([this](const auto& folder, const auto& files, const auto& other) {
     return questions_.earlierExport(folder, files, other);
   });
+  bench_.setLeaveQuestion([this] { return mayLeave(); });
+  connect(&bench_, &Workbench::readingEnded, this, [this](bool opened) {
+    if (opened) showWorkspace();
+  });
   connect(start_, &StartPage::measureRequested, commands_["blade.measure"], &QAction::trigger);
   connect(measure_, &MeasurePage::left, this, &MainWindow::leaveMeasurePage);
 

@@ -35,7 +35,7 @@ bool MainWindow::mayLeave() {
 Result<void> MainWindow::openFile(const QString& file) {
   if (!mayLeave()) return stoppedError();
   const Result<void> opened = bench_.openFile(file.toStdString());
-  if (opened) showWorkspace();
+  if (opened && !bench_.reading()) showWorkspace();
   return opened;
 }
 

@@ -81,6 +81,8 @@ void Workbench::onReplaced() {
   exportedFiles_.clear();
   exportProblem_.clear();
   blocksLeftOut_.clear();
+  reading_.reset();
+  drawing_.reset();
   for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
     emit noticesOutdated(topic);
   change |= resultChange();

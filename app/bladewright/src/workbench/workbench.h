@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,6 +23,7 @@
 #include "bw/model/source_watch.h"
 #include "bw/model/step_state.h"
 #include "bw/pipeline/pipeline.h"
+#include "workbench/drawing.h"
 #include "workbench/handover.h"
 #include "workbench/objects.h"
 
@@ -140,8 +142,20 @@ class Workbench : public QObject {
   bool moving() const { return moving_; }
   void setMoving(bool moving);
 
-  /// Opens a CAD file or a .bladewright file by its suffix. Failures become a notice too.
+  /// Opens a CAD file or a .bladewright file by its suffix; what holds curves alone, or is large, is read in
+  /// the background first (`reading`). Failures become a notice too.
   Result<void> openFile(const std::filesystem::path& file);
+  /// True while a file is being read that opens a design when it is.
+  bool reading() const { return reading_ != nullptr; }
+  /// Why the last one did not open one; nothing where it did.
+  const std::optional<Error>& readingError() const { return readingError_; }
+  /// Who is asked before a design that was edited while a file was read gives way to that one.
+  void setLeaveQuestion(std::function<bool()> mayLeave) { mayLeave_ = std::move(mayLeave); }
+  /// The drawing that the open design was made from, if its curves lie on several layers; else null.
+  const Drawing* drawing() const { return drawing_ && drawing_->layers.size() > 1 ? &*drawing_ : nullptr; }
+  /// Makes the surface anew of a layer of the drawing, in the background, as one undoable step; a failure
+  /// becomes a notice.
+  void takeLayer(const Drawing::Layer& layer);
   Result<void> openExample(const std::string& name);
   /// Goes on with an autosaved copy. Failures become a notice too, and the copy stays.
   Result<void> recover(const std::filesystem::path& copy);
@@ -235,6 +249,8 @@ class Workbench : public QObject {
   void spotShown(const bw::app::Spot& spot);
   /// An export stands in that folder.
   void exported(const QString& folder);
+  /// A file that was read in the background is open, or is not (`readingError`).
+  void readingEnded(bool opened);
   /// The person wants to say where the CAD file is now.
   void locateRequested();
 
@@ -255,6 +271,12 @@ class Workbench : public QObject {
   static Error noFile(const std::filesystem::path& file);
   /// Tells an error and hands it on.
   Result<void> refuse(Topic topic, const Error& error);
+  struct Reading;
+  void beginReading(const std::filesystem::path& file);
+  void endReading(Reading& read, const Result<void>& done);
+  void openDrawing(Reading& read);
+  /// A design of the faces of a file.
+  void startFaces(const std::filesystem::path& file);
   struct Export;
   using MakePolicy = std::function<pipeline::Policy(const RunContext&)>;
   void write(const std::filesystem::path& folder, const QString& name, MakePolicy policy);
@@ -274,6 +296,10 @@ class Workbench : public QObject {
   model::Document document_;
   model::EvaluationRunner runner_;
   model::SourceWatch watch_;
+  std::shared_ptr<Reading> reading_;  ///< null: nothing is read
+  std::optional<Error> readingError_;
+  std::optional<Drawing> drawing_;  ///< of the open design, as long as it is open
+  std::function<bool()> mayLeave_;
   std::shared_ptr<const pipeline::CadSource> readSource_;  ///< of the newest result that has one
   bool sourceTold_ = false;  ///< that the source is another than when the design was saved
   std::shared_ptr<const pipeline::Evaluation> toldShown_, toldNewest_;  ///< of the last change

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Designs, surfaces and results as files.
 #include <algorithm>
+#include <stop_token>
+#include <utility>
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/printable.h"
@@ -14,6 +16,13 @@
 namespace bw::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// A CAD file up to this size is looked at before it is opened, which takes some 10 ms.
+constexpr std::uintmax_t kReadAtOnce = 4'000'000;  // bytes
+
+}  // namespace
 
 Error Workbench::noFile(const fs::path& file) {
   const QString text = tr("there is no file %1").arg(QString::fromStdString(file.string()));
@@ -33,26 +42,141 @@ Result<void> Workbench::openFile(const fs::path& file) {
   } else {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return refuse(Topic::file, noFile(file));
-    if (const Result<std::string> bytes = readFile(file); bytes && pipeline::holdsCurvesAlone(*bytes)) {
-      Result<pipeline::DrawnDesign> drawn = pipeline::designThrough(*bytes, file.filename().string(), {});
-      if (!drawn) return refuse(Topic::file, drawn.error());
-      QString told = QString::fromStdString(printable(pipeline::drawnText(*drawn, file.filename().string())));
-      if (!drawn->leftOut.empty())
-        told += tr("; left out: %1").arg(QString::fromStdString(printable(drawn->leftOut.front())));
-      document_.start(std::move(drawn->design));
-      settings_.addRecentFile(file);
-      tell(Topic::file, Severity::info, tr("%1. It is a new design, which is not saved yet.").arg(told));
+    const std::uintmax_t size = fs::file_size(file, error);
+    bool inBackground = !error && size > kReadAtOnce;
+    if (!inBackground) {
+      const Result<std::string> bytes = readFile(file);
+      inBackground = bytes && pipeline::holdsCurvesAlone(*bytes);
+    }
+    if (inBackground) {
+      beginReading(file);
       return {};
     }
-    Design design;
-    const fs::path absolute = fs::absolute(file, error);
-    design.name = file.stem().string();
-    design.source().path = error ? file : absolute;
-    if (Result<Blade> blade = bladePreset(design.blade.name)) design.blade = *blade;
-    document_.start(std::move(design));
+    startFaces(file);
   }
   settings_.addRecentFile(file);
   return {};
+}
+
+void Workbench::startFaces(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  Design design;
+  design.name = file.stem().string();
+  design.source().path = error ? file : absolute;
+  if (Result<Blade> blade = bladePreset(design.blade.name)) design.blade = *blade;
+  document_.start(std::move(design));
+}
+
+/// A file that is being read.
+struct Workbench::Reading {
+  fs::path file;
+  int opened = 0;                        ///< which design was open when it began
+  std::shared_ptr<const Design> before;  ///< that, as it was then
+  std::stop_source stop = {};
+  std::optional<Drawing> drawing = {};  ///< what was read; nothing where the file has faces
+};
+
+void Workbench::beginReading(const fs::path& file) {
+  // Whoever opens another file no longer waits for the one before.
+  if (reading_) reading_->stop.request_stop();
+  reading_ = std::make_shared<Reading>(Reading{file, opened_, document_.design()});
+  emit noticesOutdated(Topic::file);
+  runner_.submit(
+      tr("Reading %1").arg(QString::fromStdString(printable(file.filename().string()))),
+      [read = reading_](const pipeline::Evaluation&, const RunContext& context) -> Result<void> {
+        const std::stop_callback stopToo(context.stop, [&read] { read->stop.request_stop(); });
+        RunContext own = context;
+        own.stop = read->stop.get_token();
+        const Result<std::string> bytes = readFile(read->file);
+        if (!bytes) return tl::unexpected<Error>(bytes.error());
+        if (own.stopped()) return stoppedError();
+        if (!pipeline::holdsCurvesAlone(*bytes)) return {};
+        Result<Drawing> drawing = readDrawing(*bytes, read->file.filename().string(), own);
+        if (!drawing) return tl::unexpected<Error>(drawing.error());
+        read->drawing = std::move(*drawing);
+        return {};
+      },
+      [this, read = reading_](const Result<void>& done) { endReading(*read, done); },
+      model::EvaluationRunner::Needs::nothing);
+  tellChanged(Aspect::state);
+}
+
+void Workbench::endReading(Reading& read, const Result<void>& done) {
+  // Another file took its place, or another design.
+  if (reading_.get() != &read) return;
+  reading_.reset();
+  readingError_ = done ? std::nullopt : std::optional(done.error());
+  const QString name = QString::fromStdString(printable(read.file.filename().string()));
+  if (!done && done.error().code == ErrorCode::cancelled) {
+    tell(Topic::file, Severity::info, tr("The reading of %1 was stopped; it was not opened.").arg(name));
+  } else if (!done) {
+    tell(Topic::file, done.error());
+  } else if (document_.design() != read.before && mayLeave_ && !mayLeave_()) {
+    readingError_ = stoppedError().value();
+  } else {
+    if (read.drawing)
+      openDrawing(read);
+    else
+      startFaces(read.file);
+    settings_.addRecentFile(read.file);
+  }
+  tellChanged(Aspect::state);
+  emit readingEnded(!readingError_);
+}
+
+void Workbench::openDrawing(Reading& read) {
+  const pipeline::DrawnDesign& drawn = read.drawing->made.front();
+  const Drawing::Layer layer = read.drawing->taken.front();
+  QString told = QString::fromStdString(printable(pipeline::drawnText(drawn, read.file.filename().string())));
+  if (!drawn.leftOut.empty())
+    told += tr("; left out: %1").arg(QString::fromStdString(printable(drawn.leftOut.front())));
+  told = tr("%1. It is a new design, which is not saved yet; lengths were taken in %2.")
+             .arg(told, QString::fromStdString(printable(drawn.unit)));
+  if (layer)
+    told += tr(" The layer “%1” alone was taken, since all together give no surface: %2. Input ▸ Layer takes "
+               "another.")
+                .arg(QString::fromStdString(printable(*layer)),
+                     QString::fromStdString(printable(read.drawing->whyOne)));
+  else if (read.drawing->layers.size() > 1)
+    told += tr(" All its layers were taken; Input ▸ Layer takes one.");
+  document_.start(drawn.design);
+  drawing_ = std::move(read.drawing);
+  tell(Topic::file, Severity::info, told);
+  // Who heard of the design did not know the drawing yet.
+  tellChanged(Aspect::design);
+}
+
+void Workbench::takeLayer(const Drawing::Layer& layer) {
+  if (!drawing_) return;
+  if (const auto now = drawing_->layerOf(design().source().surface); now && *now == layer) return;
+  const QString name =
+      layer ? tr("Take layer %1").arg(QString::fromStdString(printable(*layer))) : tr("Take all layers");
+  const auto made = std::make_shared<std::optional<pipeline::DrawnDesign>>();
+  runner_.submit(
+      name,
+      [made, layer, drawing = *drawing_](const pipeline::Evaluation&,
+                                         const RunContext& context) -> Result<void> {
+        Result<pipeline::DrawnDesign> design = drawing.make(layer, context);
+        if (!design) return tl::unexpected<Error>(design.error());
+        *made = std::move(*design);
+        return {};
+      },
+      [this, made, layer, name, opened = opened_](const Result<void>& done) {
+        if (opened != opened_) return;
+        if (!done) {
+          if (done.error().code != ErrorCode::cancelled) tell(Topic::file, done.error());
+          return tellChanged(Aspect::design);  // the field shows what is there
+        }
+        const Design changed = pipeline::withDrawn(design(), drawing_->made, **made);
+        drawing_->add(layer, **made);
+        editDesign(name, [&changed](Design& design) { design = changed; });
+        if (design() != changed) return;  // something of it is locked, which is told
+        tell(Topic::file, Severity::info,
+             QString::fromStdString(printable(pipeline::drawnText(**made, drawing_->file))) +
+                 QLatin1Char('.'));
+      },
+      model::EvaluationRunner::Needs::nothing);
 }
 
 Result<void> Workbench::openExample(const std::string& name) {

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/pipeline/drawn_design.h"
+
+namespace bw::app {
+
+/// The curves of a CAD file that the open design was made from, and what was made of them so far. The design
+/// itself keeps no link to the file.
+struct Drawing {
+  using Layer = std::optional<std::string>;  ///< its name; empty: all layers together
+
+  std::string file;  ///< its name
+  std::shared_ptr<const pipeline::DrawnCurves> curves;
+  std::vector<pipeline::DrawnLayer> layers = {};  ///< of a DXF file; empty for other ones
+  std::vector<Layer> taken = {};                  ///< what each of those was made of
+  std::vector<pipeline::DrawnDesign> made = {};
+  std::string whyOne = {};  ///< why one layer was taken to begin with, where all together give no surface
+
+  /// The design of a layer, made unless it was. Errors: those of `designThrough`.
+  Result<pipeline::DrawnDesign> make(const Layer& layer, const RunContext& context) const;
+  /// Notes what was made of a layer.
+  void add(const Layer& layer, pipeline::DrawnDesign design);
+  /// The layer that a surface was made of; nothing where it is none of those made.
+  std::optional<Layer> layerOf(const std::optional<DesignedSurface>& surface) const;
+};
+
+/// Reads a file that holds curves alone, and makes a design of them: of all together or, where these give no
+/// surface, of the layer with the most curves that does. Errors: those of `drawnCurves`, and of
+/// `designThrough` for all together.
+Result<Drawing> readDrawing(const std::string& bytes, const std::string& file, const RunContext& context);
+
+}  // namespace bw::app
