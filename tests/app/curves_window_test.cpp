@@ -42,6 +42,19 @@ class CurvesInTheWindow : public WindowTest {
     return QTest::qWaitFor([&] { return !bench().reading(); }, kPatience);
   }
 
+  static QStringList itemsOf(const ChoiceField& field) {
+    QStringList items;
+    for (int i = 0; i < field.count(); ++i) items << field.itemText(i);
+    return items;
+  }
+
+  /// Chooses an item as a hand does.
+  void choose(ChoiceField& field, int index) {
+    field.setCurrentIndex(index);
+    emit field.activated(index);
+    ASSERT_TRUE(settle());
+  }
+
   std::size_t sections() {
     return std::get<SectionsSurface>(bench().design().source().surface->shape).sections.size();
   }
@@ -68,6 +81,8 @@ TEST_F(CurvesInTheWindow, BecomeANewDesignThatIsCutAndTellHowNearItIs) {
     EXPECT_TRUE(window().banner().isVisible());
     EXPECT_TRUE(window().banner().text().contains("3 sections")) << window().banner().text().toStdString();
     EXPECT_TRUE(window().banner().text().contains("within 0.")) << window().banner().text().toStdString();
+    EXPECT_TRUE(window().banner().text().contains("lengths were taken in mm"))
+        << window().banner().text().toStdString();
     EXPECT_TRUE(bench().sweep());
     picture(("curves-" + fs::path(name).extension().string().substr(1)).c_str());
     window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
@@ -147,6 +162,81 @@ TEST_F(CurvesInTheWindow, WhatIsEditedWhileAFileIsReadIsAskedFor) {
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(bench().design().name, may ? "other" : "roof");
   }
+}
+
+TEST_F(CurvesInTheWindow, TheLayerOfADrawingIsChosen) {
+  // A circle lies on one of its layers, so that all together give no surface.
+  const std::string circle = "0\nCIRCLE\n8\nholes\n10\n0\n20\n0\n40\n5\n";
+  ASSERT_TRUE(open("walls.dxf", dxf({section(0), section(400), section(800), section(100, "ceiling", 60),
+                                     section(700, "ceiling", 60)},
+                                    circle)));
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(sections(), 3u) << "the layer with the most curves";
+  const QString told = window().banner().text();
+  EXPECT_TRUE(told.contains("The layer “roof” alone was taken, since all together give no surface"))
+      << told.toStdString();
+  EXPECT_TRUE(told.contains("a circle on the layer holes")) << told.toStdString();
+  auto* layer = find<ChoiceField>("Layer");
+  ASSERT_NE(layer, nullptr);
+  EXPECT_EQ(itemsOf(*layer),
+            (QStringList{"All layers: 6 curves", "ceiling: 2 curves", "holes: 1 curve", "roof: 3 curves"}));
+  EXPECT_EQ(layer->currentText(), "roof: 3 curves");
+  picture("curves-layer");
+
+  bench().editDesign("Length", [](Design& design) { design.blade.length = 1200; });
+  const Design before = bench().design();
+  choose(*layer, 1);
+  EXPECT_EQ(sections(), 2u);
+  EXPECT_EQ(layer->currentText(), "ceiling: 2 curves");
+  EXPECT_EQ(bench().design().blade.length, 1200) << "what was set by hand stays";
+  EXPECT_NE(bench().design().block().placement, before.block().placement) << "the block lies around it";
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Take layer ceiling");
+
+  // What gives no surface is told, and nothing changes.
+  choose(*layer, 2);
+  EXPECT_TRUE(window().banner().text().contains("is closed")) << window().banner().text().toStdString();
+  EXPECT_EQ(layer->currentText(), "ceiling: 2 curves");
+
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(layer->currentText(), "roof: 3 curves");
+  bench().document().undoStack().redo();
+  EXPECT_EQ(layer->currentText(), "ceiling: 2 curves");
+
+  // A surface that a hand has changed is of no layer, until one is taken again.
+  bench().editSurface("Pull", [](DesignedSurface& surface) {
+    std::get<SectionsSurface>(surface.shape).sections[0].points[1].y() += 3;
+  });
+  EXPECT_EQ(layer->currentText(), "Changed since");
+  choose(*layer, 1);
+  EXPECT_EQ(layer->currentText(), "ceiling: 2 curves");
+  EXPECT_EQ(layer->count(), 4);
+}
+
+TEST_F(CurvesInTheWindow, ADrawingOfOneLayerHasNoneToChoose) {
+  ASSERT_TRUE(open("roof.dxf", dxf({section(0), section(800)})));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(find<ChoiceField>("Layer"), nullptr);
+  EXPECT_FALSE(window().banner().text().contains("layer")) << window().banner().text().toStdString();
+}
+
+TEST_F(CurvesInTheWindow, LargeFilesWithFacesAreLookedAtInTheBackground) {
+  std::string text = geometry::exampleStep("saddle").value();
+  const std::size_t data = text.find("DATA;");
+  ASSERT_NE(data, std::string::npos);
+  std::string beside;
+  while (beside.size() < 5'000'000) beside += "\n/* What a file may tell beside its entities. */";
+  text.insert(data + 5, beside);
+  ASSERT_TRUE(open("large.step", text));
+  EXPECT_TRUE(bench().reading());
+  ASSERT_TRUE(readToItsEnd());
+  EXPECT_FALSE(bench().readingError());
+  EXPECT_FALSE(window().onStartPage());
+  EXPECT_EQ(bench().design().source().path, path("large.step"));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
 }
 
 TEST_F(CurvesInTheWindow, FacesAreOpenedAsEver) {

@@ -11,6 +11,7 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "controls/numbers.h"
 
 namespace bw::app {
@@ -183,6 +184,16 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   fileName_->setTextFormat(Qt::PlainText);
   fileName_->setWordWrap(true);
   fileFacts_ = column->addWide(makeNote());
+  layer_ = column->addLong(
+      tr("Layer"), tr("Which curves of the drawing the surface is made of: all, or those of one layer"));
+  connect(layer_, &QComboBox::activated, this, [this](int index) {
+    const Drawing* drawing = bench_.drawing();
+    if (drawing && index <= int(drawing->layers.size()))
+      bench_.takeLayer(index == 0 ? std::nullopt
+                                  : Drawing::Layer(drawing->layers[std::size_t(index) - 1].name));
+    showLayers();
+  });
+  setLineVisible(layer_, false);
   surface_ = column->addWide(new SurfaceFields(bench));
   column->addWide(
       makeButton(tr("Open CAD file…"),
@@ -240,6 +251,29 @@ void InputFields::showUnits(const geometry::CadInfo* info, const Eigen::Vector3d
   unit_->show(now);
 }
 
+void InputFields::showLayers() {
+  const Drawing* drawing =
+      &bench_.source() == &bench_.design().source() && bench_.source().surface ? bench_.drawing() : nullptr;
+  // While a hand pulls at a surface without one there is nothing to do.
+  if (!drawing && layer_->count() == 0) return;
+  setLineVisible(layer_, drawing != nullptr);
+  layer_->clear();
+  if (!drawing) return;
+  const auto add = [this](const QString& name, int curves) {
+    layer_->addItem(curves == 1 ? tr("%1: 1 curve").arg(name) : tr("%1: %2 curves").arg(name).arg(curves));
+  };
+  int all = 0;
+  for (const pipeline::DrawnLayer& layer : drawing->layers) all += layer.curves;
+  add(tr("All layers"), all);
+  for (const pipeline::DrawnLayer& layer : drawing->layers)
+    add(layer.name.empty() ? tr("(no name)") : QString::fromStdString(printable(layer.name)), layer.curves);
+  const std::optional<Drawing::Layer> now = drawing->layerOf(bench_.source().surface);
+  if (!now) layer_->addItem(tr("Changed since"));  // by a hand; a layer that is chosen takes its place
+  const auto place = std::ranges::find_if(
+      drawing->layers, [&](const pipeline::DrawnLayer& layer) { return now && *now && layer.name == **now; });
+  layer_->show(!now ? layer_->count() - 1 : !*now ? 0 : 1 + int(place - drawing->layers.begin()));
+}
+
 void InputFields::embed(bool on) {
   Design design = *bench_.document().design();
   if (on) {
@@ -284,6 +318,7 @@ void InputFields::refresh() {
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
   showUnits(info, size);
+  showLayers();
   surface_->refresh();
   setLineVisible(unit_, !surface);
   surface ? faces_->hide() : faces_->refresh();

@@ -68,12 +68,15 @@ class InputFields : public QObject {
 
  private:
   void applyUnit(int index);
+  /// The layers of the drawing that the design was made from, where it has several.
+  void showLayers();
   /// `size` of the target as it was read; zero if it was not.
   void showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size);
   void embed(bool on);
 
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;
+  ChoiceField* layer_;
   SurfaceFields* surface_;
   QPushButton *replace_, *reload_, *locate_;
   ChoiceField* unit_;
