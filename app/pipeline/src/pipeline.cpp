@@ -94,13 +94,12 @@ Findings lowInCell(const CutEvaluation& cut, const Cell& cell) {
   // A motion that makes no program is told of where programs are made.
   const Result<robotio::ProgramPlan> plan = robotio::planProgram(*cut.motion.value, cell);
   if (!plan) return {};
-  constexpr int kPlaces = 41;
   const std::vector<MotionInstant>& instants = cut.motion.value->instants;
   const Sweep& sweep = *cut.sweep.value;
   const std::vector<BladePose>&entry = cut.ends.value->entry.poses, &exit = cut.ends.value->exit.poses;
   // The blade keeps its shape there, and hangs above where its left end is.
   const auto heldAt = [&](const BladePose& pose, const Pose& left) {
-    LowestPlace lowest = lowestPlace(sweep.block, pose.bladePoints(kPlaces));
+    LowestPlace lowest = lowestPlace(sweep.block, pose);
     lowest.height += left.position.z() - sweep.block.frame.toLocal(pose.leftPoint()).z();
     return lowest.height;
   };

@@ -10,9 +10,9 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/held_blade.h"
-#include "sweep/remedies.h"
 
 namespace bw {
 
@@ -161,11 +161,11 @@ void raise(const Sweep& sweep, double floor, std::vector<BladePose>& way) {
   const Eigen::Vector3d &up = sweep.block.frame.normal, &d = sweep.planes.direction();
   const Eigen::Vector3d upright = up - up.dot(d) * d;
   if (way.size() < 2 || upright.norm() < kLying) return;
-  const double least = std::min(floor, sweep::aboveBottom(sweep.block, way.back()));
+  const double least = std::min(floor, lowestPlace(sweep.block, way.back()).height);
   const auto last = double(way.size() - 1);
   double rise = 0;  // mm, of the arc
   for (std::size_t k = 0; k + 1 < way.size(); ++k)
-    rise = std::max(rise, (least - sweep::aboveBottom(sweep.block, way[k])) / (1 - double(k) / last));
+    rise = std::max(rise, (least - lowestPlace(sweep.block, way[k]).height) / (1 - double(k) / last));
   // The way along the planes for a mm of height.
   const Eigen::Vector3d move = rise / upright.squaredNorm() * upright;
   for (std::size_t k = 0; k + 1 < way.size(); ++k) way[k].frame.origin += (1 - double(k) / last) * move;

@@ -14,13 +14,20 @@ LowestPlace lowestPlace(const Box& block, std::span<const Eigen::Vector3d> point
     const double here = height(k);
     if (here < lowest.height) lowest = {here, points[k]};
     if (k == 0 || k + 1 == points.size()) continue;
-    // The lowest place lies beside the lowest point, where a parabola through it and its neighbours has it.
+    // Beside a point the curve is as good as the parabola through it and its neighbours; that of the first
+    // and of the last three points reaches to the end.
     const double before = height(k - 1), after = height(k + 1), bend = before - 2 * here + after;
-    if (here > before || here > after || !(bend > 0)) continue;
-    const double between = here - (after - before) * (after - before) / (8 * bend);
+    if (!(bend > 0)) continue;
+    const double place = (before - after) / (2 * bend);  // in steps from here
+    if (place < (k == 1 ? -1 : -0.5) || place > (k + 2 == points.size() ? 1 : 0.5)) continue;
+    const double between = here - 0.5 * bend * place * place;
     if (between < lowest.height) lowest = {between, points[k]};
   }
   return lowest;
+}
+
+LowestPlace lowestPlace(const Box& block, const BladePose& pose) {
+  return lowestPlace(block, pose.bladePoints(kLowestPlaces));
 }
 
 }  // namespace bw

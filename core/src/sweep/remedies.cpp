@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "bw/core/elastica/elastica_stability.h"
@@ -153,31 +152,6 @@ std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::s
     if (all) return tried.blade.length;
   }
   return {};
-}
-
-double aboveBottom(const Box& block, const BladePose& pose) {
-  constexpr int kPlaces = 41;
-  const double step = pose.blade.length() / (kPlaces - 1);
-  std::vector<double> arcs(kPlaces);
-  for (std::size_t k = 0; k < arcs.size(); ++k) arcs[k] = double(k) * step;
-  std::vector<Elastica::State> states(arcs.size());
-  pose.at(arcs, states);
-  const Eigen::Vector3d& up = block.frame.normal;
-  const Eigen::Vector2d rise(pose.frame.x.dot(up), pose.frame.y.dot(up));
-  const double from = (pose.frame.origin - block.frame.origin).dot(up);
-  const auto slope = [&](const Elastica::State& s) {
-    return rise.x() * std::cos(s.angle) + rise.y() * std::sin(s.angle);
-  };
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const double height = from + rise.dot(states[k].point);
-    lowest = std::min(lowest, height);
-    if (k + 1 == states.size()) break;
-    // Between two places the slope is as good as linear.
-    const double here = slope(states[k]), there = slope(states[k + 1]);
-    if (here < 0 && there > 0) lowest = std::min(lowest, height + 0.5 * step * here * here / (here - there));
-  }
-  return lowest;
 }
 
 double boxDistance(const Box& box, const Eigen::Vector3d& point, Eigen::Vector3d* away) {

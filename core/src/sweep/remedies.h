@@ -33,8 +33,6 @@ inline constexpr double kRadiusReserve = 0.99;
 [[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::size_t last,
                                                  const std::function<bool(const Elastica&)>& holds);
 
-/// mm of the lowest point of the blade over the bottom of the block as it lies.
-[[nodiscard]] double aboveBottom(const Box& block, const BladePose& pose);
 /// Distance of a point to a box in mm, negative inside (docs/mathematics.md, clearance). `away`, if given,
 /// gets the unit direction in which it grows.
 [[nodiscard]] double boxDistance(const Box& box, const Eigen::Vector3d& point,

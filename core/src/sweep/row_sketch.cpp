@@ -11,11 +11,11 @@
 
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/core/sweep/maps.h"
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
 #include "sweep/held_blade.h"
-#include "sweep/remedies.h"
 #include "sweep/station_velocity.h"
 
 namespace bw {
@@ -144,7 +144,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     sketch.rest[i] = others_[i].now(row, pose, margin, request.margin);
     sketch.crosses[i] = pose.crossesItself() || pose.gripsSwapped();
     seen[i] = {std::ranges::max(v.angle), std::ranges::min(v.relative), pose.maxCurvature()};
-    if (request.floor) seen[i].above = sweep::aboveBottom(row.block, pose);
+    if (request.floor) seen[i].above = lowestPlace(row.block, pose).height;
     return {};
   };
   Result<void> ok = parallelFor(context, kChunks, [&](int chunk) {

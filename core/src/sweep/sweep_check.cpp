@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "sweep/cut_rows.h"
 #include "sweep/held_blade.h"
 #include "sweep/remedies.h"
@@ -101,7 +102,7 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     check.speedMax = *fastest;
     check.clearance = std::min(sweep::boxDistance(sweep.block, pose.leftPoint()),
                                sweep::boxDistance(sweep.block, pose.rightPoint()));
-    check.aboveBottom = sweep::aboveBottom(sweep.block, pose);
+    check.aboveBottom = lowestPlace(sweep.block, pose).height;
     check.nearBottom = request.floor && check.aboveBottom < *request.floor;
   };
   if (Result<void> ok = parallelFor(context, int(poses.size()), body); !ok)

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "bw/core/base/frame.h"
+#include "bw/core/sweep/blade_pose.h"
 
 namespace bw {
 
@@ -17,9 +18,15 @@ struct LowestPlace {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< in the file's frame
 };
 
-/// Of a blade by points at even arc lengths, in the file's frame, with parabolas between them: for 41 points
-/// of any blade that keeps its radius well within 0.05 mm. Infinitely high without points.
+/// Points of a blade by which it is told how low it comes.
+inline constexpr int kLowestPlaces = 41;
+
+/// Of a blade by points at even arc lengths, in the file's frame, with parabolas between them: for
+/// `kLowestPlaces` points of any blade that keeps its radius within 0.05 mm. The point is the nearest of
+/// those given. Infinitely high without points.
 [[nodiscard]] LowestPlace lowestPlace(const Box& block, std::span<const Eigen::Vector3d> points);
+/// Of the blade in a pose, from grip to grip.
+[[nodiscard]] LowestPlace lowestPlace(const Box& block, const BladePose& pose);
 
 /// mm below the floor that are not told: heights on the way are known no better.
 inline constexpr double kFloorRounded = 0.05;
