@@ -40,14 +40,14 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
   return pose;
 }
 
-/// The blade with its weight at even instants from one pose to the next, the robots moving its grips evenly:
-/// its points in space. Where it cannot be followed from either of the two, at these alone.
-std::vector<std::vector<Eigen::Vector3d>> waysBetween(const Sweep& sweep, const BladePose& from,
-                                                      const BladePose& to, std::span<const double> arcs) {
-  std::vector<std::vector<Eigen::Vector3d>> instants(kInstants + 1);
-  instants.front() = from.points(arcs);
-  instants.back() = to.points(arcs);
-  if (sweep::isTaut(from) && sweep::isTaut(to)) return {instants.front(), instants.back()};
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The blade with its weight at even instants between one pose and the next, the robots moving its grips
+/// evenly: its points in space. None where it cannot be followed from either of the two.
+std::vector<Points> pointsBetween(const Sweep& sweep, const BladePose& from, const BladePose& to,
+                                  std::span<const double> arcs) {
+  if (sweep::isTaut(from) && sweep::isTaut(to)) return {};
+  std::vector<Points> instants(kInstants - 1);
   const HeavyProblem a = sweep::heldAt(sweep, from), b = sweep::heldAt(sweep, to);
   const Eigen::Vector3d travel = to.frame.origin - from.frame.origin;
   std::vector<Elastica::State> states(arcs.size());
@@ -59,14 +59,14 @@ std::vector<std::vector<Eigen::Vector3d>> waysBetween(const Sweep& sweep, const 
       const Result<ClampedBranch::Move> move = branch->moveTo(sweep::onTheWay(a, b, share));
       if (!move || move->snapped) return false;
       branch->blade().at(arcs, states);
-      std::vector<Eigen::Vector3d>& points = instants[std::size_t(at)];
+      Points& points = instants[std::size_t(at - 1)];
       points.clear();
       for (const Elastica::State& state : states)
         points.push_back(from.frame.toWorld(state.point) + share * travel);
     }
     return branch.has_value();
   };
-  if (!follows(from, true) && !follows(to, false)) return {instants.front(), instants.back()};
+  if (!follows(from, true) && !follows(to, false)) return {};
   return instants;
 }
 
@@ -121,28 +121,35 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
                         {}});
   double time = 0;
   const BladePose* before = nullptr;
+  Points last;  // of the blade in that pose, where it was moved to
   double shifted = 0;
   sweep::FloorWatch floor(sweep.block, request.floor);
-  const auto watch = [&](std::vector<Eigen::Vector3d> points, double shift, int station) {
-    if (!request.floor) return;
+  const auto movedBy = [&d](double shift, Points points) {
     for (Eigen::Vector3d& point : points) point += shift * d;
-    floor.see(points, station);
+    return points;
   };
   // The blade goes on to a pose, moved by so much along the travel.
   const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
+    Points here = movedBy(shift, pose.points(arcs));
     if (before) {
-      const auto ways = waysBetween(sweep, *before, pose, arcs);
-      const auto parts = double(ways.size() - 1);
+      std::vector<Points> way = pointsBetween(sweep, *before, pose, arcs);
+      const auto parts = double(way.size() + 1);
       double fastest = 0;  // mm, of all of the way, at the highest speed of a point
-      for (std::size_t k = 1; k < ways.size(); ++k)
+      const auto goOn = [&](const Points& next) {
         for (std::size_t i = 0; i < arcs.size(); ++i)
-          fastest =
-              std::max(fastest, parts * (ways[k][i] - ways[k - 1][i] + (shift - shifted) / parts * d).norm());
+          fastest = std::max(fastest, parts * (next[i] - last[i]).norm());
+      };
+      for (std::size_t k = 0; k < way.size(); ++k) {
+        Points next = movedBy(std::lerp(shifted, shift, double(k + 1) / parts), std::move(way[k]));
+        floor.see(next, -1);
+        goOn(next);
+        last = std::move(next);
+      }
+      goOn(here);
       time += std::max(fastest / cuttingSpeed, least);
-      for (std::size_t k = 1; k + 1 < ways.size(); ++k)
-        watch(ways[k], std::lerp(shifted, shift, double(k) / parts), -1);
     }
-    watch(pose.points(arcs), shift, station);
+    floor.see(here, station);
+    last = std::move(here);
     before = &pose;
     shifted = shift;
     const Eigen::Vector3d move = shift * d, n = pose.frame.normal;
