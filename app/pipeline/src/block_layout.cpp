@@ -113,11 +113,11 @@ std::vector<Neighbours> neighboursOf(const Evaluation& e) {
   return pairs;
 }
 
-std::vector<char> joinedCuts(const Evaluation& e) {
+std::vector<char> joinedCuts(const Evaluation& e, KnownNeighbours& neighbours) {
   std::vector<char> joined;
   for (const BlockEvaluation& block : e.blocks) joined.resize(joined.size() + block.cuts.size());
   if (e.design.process.join == Join::none) return joined;
-  for (const Neighbours& pair : neighboursOf(e)) joined[pair.first] = joined[pair.second] = 1;
+  for (const Neighbours& pair : neighbours.pairs()) joined[pair.first] = joined[pair.second] = 1;
   return joined;
 }
 

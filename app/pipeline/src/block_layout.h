@@ -4,6 +4,7 @@
 // What of an evaluation is told by several blocks together.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,23 @@ Box placedBlock(const Design& design, const CutEvaluation& cut);
 /// boundary as one does.
 std::vector<Neighbours> neighboursOf(const Evaluation& e);
 
+/// Those of one evaluation, found when they are asked for first: its surfaces and blocks tell them, which
+/// are there before any row, and stay.
+class KnownNeighbours {
+ public:
+  explicit KnownNeighbours(const Evaluation& e) : e_(e) {}
+  const std::vector<Neighbours>& pairs() {
+    if (!pairs_) pairs_ = neighboursOf(e_);
+    return *pairs_;
+  }
+
+ private:
+  const Evaluation& e_;
+  std::optional<std::vector<Neighbours>> pairs_;
+};
+
 /// Whether each cut, in that order, goes on in a neighbouring block and is to be fitted so that it meets it.
-std::vector<char> joinedCuts(const Evaluation& e);
+std::vector<char> joinedCuts(const Evaluation& e, KnownNeighbours& neighbours);
 
 /// The rows of all cuts in that order.
 std::vector<BlockRow> rowsOf(const Evaluation& e);

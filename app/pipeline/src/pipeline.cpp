@@ -257,7 +257,8 @@ std::vector<RowKerf> kerfsOf(const Evaluation& e) {
 }
 
 /// How the rows of neighbouring blocks meet.
-Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous) {
+Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous,
+                     KnownNeighbours& neighbours) {
   if (e.blocks.size() < 2) return {};
   const RunContext& context = works.front().context;
   const std::vector<BlockRow> rows = rowsOf(e);
@@ -266,22 +267,23 @@ Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Eva
   const Stage<JointRequest, Joints> standing = std::move(e.joints);
   e.joints = {};
   const bool stands = standing.value && standing.inputs == sweeps;
-  return settle(e.joints,
-                stands     ? &standing
-                : previous ? &previous->joints
-                           : nullptr,
-                jointRequest(e.design), sweeps, e.seconds.check,
-                [&](const JointRequest& request, Findings& findings) {
-                  context.report(0.74, "joints");
-                  Result<Joints> joints = measureJoints(rows, kerfsOf(e), neighboursOf(e), request, context);
-                  if (joints) findings = joints->findings;
-                  return joints;
-                });
+  return settle(
+      e.joints,
+      stands     ? &standing
+      : previous ? &previous->joints
+                 : nullptr,
+      jointRequest(e.design), sweeps, e.seconds.check, [&](const JointRequest& request, Findings& findings) {
+        context.report(0.74, "joints");
+        Result<Joints> joints = measureJoints(rows, kerfsOf(e), neighbours.pairs(), request, context);
+        if (joints) findings = joints->findings;
+        return joints;
+      });
 }
 
 /// Fits the rows of all cuts, those that go on from block to block with as many stations, and with more until
 /// they meet.
-Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous) {
+Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous,
+                    KnownNeighbours& neighbours) {
   const JointRequest asked = jointRequest(e.design);
   std::optional<int> shared;
   const auto open = [](const CutWork& work) { return work.joined && work.cut.sections.byTolerance(); };
@@ -297,7 +299,7 @@ Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation
       if (Result<void> ok = fit(work); !ok) return inBlock(e, work.cut.block, ok);
     }
     if (e.blocks.size() < 2) return {};
-    if (const Result<void> ok = joinAll(works, e, previous); !ok) return ok;
+    if (const Result<void> ok = joinAll(works, e, previous, neighbours); !ok) return ok;
     if (!shared || !e.joints.value->wantsStations(asked) || 2 * *shared - 1 > kMostForJoints) return {};
     shared = 2 * *shared - 1;
   }
@@ -470,13 +472,14 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
       if (ok = place(works.back(), placement); !ok) return stop(inBlock(e, block.id, ok).error());
     }
   }
-  const std::vector<char> joined = joinedCuts(e);
+  KnownNeighbours neighbours(e);
+  const std::vector<char> joined = joinedCuts(e, neighbours);
   for (std::size_t i = 0; i < works.size(); ++i) works[i].joined = joined[i] != 0;
-  if (ok = fitAll(works, e, previous); !ok) return stop(ok.error());
+  if (ok = fitAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   for (const CutWork& work : works)
     if (ok = check(work); !ok) return stop(inBlock(e, work.cut.block, ok).error());
   // Rows may have become firmer ones.
-  if (ok = joinAll(works, e, previous); !ok) return stop(ok.error());
+  if (ok = joinAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   if (ok = compareBlocks(e, previous, context); !ok) return stop(ok.error());
   if (purpose == Purpose::files)
     if (ok = makeParts(e, previous, context); !ok) return stop(ok.error());
