@@ -4,7 +4,6 @@
 #include "tried_advice.h"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 namespace bw::pipeline {
@@ -31,48 +30,47 @@ bool fails(const Finding& finding) {
   }
 }
 
-/// What is asked for now.
-OtherBlade askedFor(const CutWork& work) {
+/// True for a trial of what the design has already.
+bool isInUse(const CutWork& work, const RowTrial& trial) {
   const Process& process = work.design.process;
   const double length = work.e.sweep.value ? work.e.sweep.value->request.blade.length : work.blade().length;
-  return {length, process.clearance, process.margin};
+  return trial.length == length && trial.clearance == process.clearance && trial.asked == process.margin;
 }
 
-/// Of what serves the first by `better` that does as designed; null if none does.
-template <class Better, class BladeOf>
-RowTrial* confirmed(const CutWork& work, std::vector<RowTrial>& trials, const Better& better,
-                    const BladeOf& bladeOf) {
+/// Of what serves the best that does as designed; null if none does.
+template <class Trade>
+const RowTrial* confirmed(const CutWork& work, Trade& trade) {
+  if (!trade.best) return nullptr;
+  for (RowTrial& one : trade.trials)
+    if (isInUse(work, one)) one.rest = Rest::lost;  // it is here because it failed
   for (int round = 0; round < kTriedAsDesigned; ++round) {
     RowTrial* best = nullptr;
-    for (RowTrial& one : trials)
-      if (one.serves() && (!best || better(one, *best))) best = &one;
+    for (RowTrial& one : trade.trials)
+      if (one.serves() && (!best || trade.isBetter(one, *best))) best = &one;
     if (!best) return nullptr;
     const Rest rest = best->rest;
-    if (!servesAsDesigned(work, bladeOf(*best))) {
+    if (!servesAsDesigned(work, *best)) {
       best->rest = Rest::lost;
       continue;
     }
     // Beside one that did not, the others are not known to.
     if (round > 0)
-      for (RowTrial& one : trials) one.rest = Rest::lost;
+      for (RowTrial& one : trade.trials) one.rest = Rest::lost;
     best->rest = rest;
     return best;
   }
-  for (RowTrial& one : trials) one.rest = Rest::lost;
+  for (RowTrial& one : trade.trials) one.rest = Rest::lost;
   return nullptr;
 }
 
-/// Certain before held, then by the margin.
-auto firmness(const RowTrial& trial) { return std::tuple(trial.rest == Rest::certain, trial.margin); }
-
 }  // namespace
 
-bool servesAsDesigned(const CutWork& work, const OtherBlade& other) {
+bool servesAsDesigned(const CutWork& work, const RowTrial& trial) {
   Design design = work.design;
-  design.process.clearance = other.clearance;
-  design.process.margin = other.margin;
+  design.process.clearance = trial.clearance;
+  design.process.margin = trial.asked;
   Cut cut = work.cut;
-  cut.length = other.length;
+  cut.length = trial.length;
   // What does not hang on the blade stands.
   CutEvaluation anew;
   anew.id = work.e.id;
@@ -97,56 +95,18 @@ bool servesAsDesigned(const CutWork& work, const OtherBlade& other) {
 }
 
 void confirm(const CutWork& work, BladeLengths& lengths) {
-  if (!lengths.best) return;
-  OtherBlade other = askedFor(work);
-  const double own = other.length;
-  for (RowTrial& one : lengths.trials)
-    if (one.length == own) one.rest = Rest::lost;  // it is here because it failed
-  const RowTrial* best = confirmed(
-      work, lengths.trials, [](const RowTrial& a, const RowTrial& b) { return firmness(a) > firmness(b); },
-      [&](const RowTrial& trial) {
-        other.length = trial.length;
-        return other;
-      });
-  lengths.best.reset();
-  if (best) lengths.best = best->length;
+  const RowTrial* best = confirmed(work, lengths);
+  lengths.best = best ? std::optional(best->length) : std::nullopt;
 }
 
 void confirm(const CutWork& work, ClearanceTrade& trade) {
-  if (!trade.best) return;
-  OtherBlade other = askedFor(work);
-  const RowTrial* best = confirmed(
-      work, trade.trials,
-      [](const RowTrial& a, const RowTrial& b) {
-        return a.clearance != b.clearance ? a.clearance > b.clearance : firmness(a) > firmness(b);
-      },
-      [&](const RowTrial& trial) {
-        other.length = trial.length;
-        other.clearance = trial.clearance;
-        return other;
-      });
-  trade.best.reset();
-  if (best) trade.best = *best;
+  const RowTrial* best = confirmed(work, trade);
+  trade.best = best ? std::optional(*best) : std::nullopt;
 }
 
 void confirm(const CutWork& work, MarginTrade& trade) {
-  if (!trade.best) return;
-  OtherBlade other = askedFor(work);
-  const double least = other.margin;
-  for (RowTrial& one : trade.trials)
-    if (one.asked == least) one.rest = Rest::lost;  // it is here because it failed
-  const RowTrial* best = confirmed(
-      work, trade.trials,
-      [least](const RowTrial& a, const RowTrial& b) {
-        if ((a.asked >= least) != (b.asked >= least)) return a.asked >= least;
-        return a.asked >= least ? a.asked < b.asked : a.asked > b.asked;
-      },
-      [&](const RowTrial& trial) {
-        other.margin = trial.asked;
-        return other;
-      });
-  trade.best.reset();
-  if (best) trade.best = best->asked;
+  const RowTrial* best = confirmed(work, trade);
+  trade.best = best ? std::optional(best->asked) : std::nullopt;
 }
 
 }  // namespace bw::pipeline

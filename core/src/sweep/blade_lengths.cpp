@@ -224,11 +224,6 @@ std::vector<double> lengthsBetween(double shortest, double end) {
   return lengths;
 }
 
-bool better(const RowTrial& a, const RowTrial& b) {
-  if (a.rest != b.rest) return a.rest == Rest::certain;
-  return a.margin > b.margin;
-}
-
 /// Lets grips come nearer to the block.
 class NearerGrips {
  public:
@@ -239,7 +234,7 @@ class NearerGrips {
         trial_(some, block, planes, context),
         confirmed_(sections, some, block, planes, context),
         longest_(longestOf(some.sections)) {
-    if (!request.fit.blade.autoLength) own_ = request.fit.blade.length;
+    if (!request.fit.blade.autoLength) trade_.own = request.fit.blade.length;
   }
 
   Result<ClearanceTrade> seek() {
@@ -264,19 +259,16 @@ class NearerGrips {
   Result<bool> servesAt(double clearance) {
     std::vector<double> lengths =
         lengthsBetween(shortestFor(longest_, clearance), shortestFor(longest_, request_.check.clearance));
-    if (own_) {
-      std::erase(lengths, *own_);
-      lengths.insert(lengths.begin(), *own_);
+    if (trade_.own) {
+      std::erase(lengths, *trade_.own);
+      lengths.insert(lengths.begin(), *trade_.own);
     }
     for (std::size_t first = 0; first < lengths.size(); first += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, lengths.size() - first);
       Result<std::vector<RowTrial>> made = tryAll(clearance, &lengths[first], count);
       if (!made) return tl::unexpected<Error>(made.error());
       const RowTrial* best = confirmed_.best(
-          std::span(*made),
-          [&](const RowTrial& a, const RowTrial& b) {
-            return (a.length == own_) != (b.length == own_) ? a.length == own_ : better(a, b);
-          },
+          std::span(*made), [&](const RowTrial& a, const RowTrial& b) { return trade_.isBetter(a, b); },
           [&](const RowTrial& one) { return requestFor(clearance, one.length); });
       if (context_.stopped()) return stoppedError();
       if (best) trade_.best = *best;
@@ -310,11 +302,25 @@ class NearerGrips {
   Trials trial_;
   Confirmed confirmed_;
   double longest_;
-  std::optional<double> own_;  ///< mm, the length of the request's blade
   ClearanceTrade trade_;
 };
 
 }  // namespace
+
+bool isFirmer(const RowTrial& a, const RowTrial& b) {
+  if (a.rest != b.rest) return a.rest == Rest::certain;
+  return a.margin > b.margin;
+}
+
+bool MarginTrade::isBetter(const RowTrial& a, const RowTrial& b) const {
+  if ((a.asked >= least) != (b.asked >= least)) return a.asked >= least;
+  return a.asked >= least ? a.asked < b.asked : a.asked > b.asked;
+}
+
+bool ClearanceTrade::isBetter(const RowTrial& a, const RowTrial& b) const {
+  if (a.clearance != b.clearance) return a.clearance > b.clearance;
+  return (a.length == own) != (b.length == own) ? a.length == own : isFirmer(a, b);
+}
 
 std::vector<BladeLengths::Band> BladeLengths::bands() const {
   std::vector<Band> found;
@@ -383,7 +389,7 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   for (RowTrial& one : trials) judgeDistance(one, request.check.tolerance);
   const RowTrial* best =
       Confirmed(sections, *some, block, planes, context)
-          .best(std::span(trials), better, [&](const RowTrial& one) { return requestFor(one.length); });
+          .best(std::span(trials), isFirmer, [&](const RowTrial& one) { return requestFor(one.length); });
   if (context.stopped()) return stoppedError();
   if (best) lengths.best = best->length;
   return lengths;
@@ -407,6 +413,7 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
     return one;
   };
   MarginTrade trade;
+  trade.least = request.check.margin;
   trade.trials.resize(list.size());
   const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
     trade.trials[std::size_t(i)] = trial(requestFor(list[std::size_t(i)]));
@@ -414,14 +421,10 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   for (RowTrial& one : trade.trials) judgeDistance(one, request.check.tolerance);
-  const double least = request.check.margin;
   const RowTrial* best = Confirmed(sections, *some, block, planes, context)
                              .best(
                                  std::span(trade.trials),
-                                 [&](const RowTrial& a, const RowTrial& b) {
-                                   if ((a.asked >= least) != (b.asked >= least)) return a.asked >= least;
-                                   return a.asked >= least ? a.asked < b.asked : a.asked > b.asked;
-                                 },
+                                 [&](const RowTrial& a, const RowTrial& b) { return trade.isBetter(a, b); },
                                  [&](const RowTrial& one) { return requestFor(one.asked); });
   if (context.stopped()) return stoppedError();
   if (best) trade.best = best->asked;

@@ -37,6 +37,10 @@ struct RowTrial {
   bool serves() const { return rest == Rest::certain || rest == Rest::held; }
 };
 
+/// Which of two trials is rather advised: what is certain before what is held, then that of the larger
+/// margin.
+[[nodiscard]] bool isFirmer(const RowTrial& a, const RowTrial& b);
+
 /// Which lengths of a blade serve a row.
 struct BladeLengths {
   std::vector<RowTrial> trials;               ///< ascending
@@ -47,6 +51,8 @@ struct BladeLengths {
     Rest rest = Rest::certain;
   };
   std::vector<Band> bands() const;
+  /// Which of two that serve is rather advised: the firmer one.
+  static bool isBetter(const RowTrial& a, const RowTrial& b) { return isFirmer(a, b); }
   /// The trial at that length or the one next below; null below all.
   const RowTrial* at(double length) const;
 };
@@ -71,6 +77,9 @@ struct MarginTrade {
   std::vector<RowTrial> trials;  ///< by the margin asked for, ascending
   /// The least of them that serves and is not less than the request's, or else the largest that serves.
   std::optional<double> best = std::nullopt;
+  double least = 0;  ///< the request's
+  /// Which of two that serve is rather advised: the one nearer to the request's margin, from that on first.
+  [[nodiscard]] bool isBetter(const RowTrial& a, const RowTrial& b) const;
 };
 
 /// Solves some of the sections (as `bladeLengths`) for the blade of the request, asked to keep margins from 0
@@ -86,6 +95,10 @@ struct MarginTrade {
 struct ClearanceTrade {
   std::vector<RowTrial> trials;                 ///< by clearance, then by length, both ascending
   std::optional<RowTrial> best = std::nullopt;  ///< that with the largest clearance of those that serve
+  std::optional<double> own = std::nullopt;     ///< mm, the length of the request's blade, unless left open
+  /// Which of two that serve is rather advised: that with the larger clearance, then the blade of the
+  /// request, then the firmer one.
+  [[nodiscard]] bool isBetter(const RowTrial& a, const RowTrial& b) const;
   /// mm, the least that was tried; none where the one asked for is as small.
   std::optional<double> least() const {
     return trials.empty() ? std::nullopt : std::optional(trials.front().clearance);
