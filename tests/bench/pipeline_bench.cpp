@@ -7,10 +7,14 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "bw/core/blade/blade.h"
@@ -425,6 +429,69 @@ void tooTightSheet(benchmark::State& state) {
   }
 }
 BENCHMARK(tooTightSheet)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A design whose blade does not do what is asked of it.
+struct Failing {
+  const char* example;
+  const char* preset;
+  double length, thickness, clearance, margin;  ///< mm; 0 leaves the thickness
+};
+
+constexpr Failing kFailing[] = {
+    {"panel-600x670", "steel-tube-3-2.5", 1200, 0, 50, 0.15},
+    {"panel-600x670", "steel-tube-3-2.5", 800, 0, 50, 0.6},
+    {"panel-600x670", "nicr-flat-5x1", 760, 0.65, 70, 0.15},
+    {"panel-600x670", "nicr-flat-5x1", 1000, 0.5, 50, 0.15},
+    {"panel-600x670", "nicr-flat-5x1", 800, 4, 50, 0.15},
+    {"panel-600x670", "steel-rod-1", 800, 0, 50, 0.15},
+    {"torus-patch", "steel-tube-3-2.5", 900, 0, 50, 0.6},
+    {"torus-patch", "nicr-flat-5x1", 900, 0, 50, 0.15},
+    {"saddle", "steel-tube-3-2.5", 800, 0, 500, 0.15},
+    {"wavy-wall", "steel-tube-3-2.5", 3000, 0, 50, 0.15},
+    {"twist", "nicr-flat-5x1", 1200, 0, 50, 0.5},
+    {"ripple-along", "nicr-flat-5x1", 1000, 0, 50, 0.5},
+    {"three-block-wall", "nicr-flat-5x1", 1000, 0, 50, 0.4},
+};
+
+/// What advice adds to a design that fails: `design_s` for all that is asked of it, `advice_s` for what
+/// would help it, and how many times the one the other is.
+void adviceOfFailing(benchmark::State& state) {
+  const Failing& failing = kFailing[state.range(0)];
+  Result<Design> design = exampleDesign(failing.example);
+  if (!design) return state.SkipWithError(design.error().message.c_str());
+  design->output.programs.clear();
+  design->blade = bladePreset(failing.preset).value();
+  design->blade.length = failing.length;
+  if (failing.thickness > 0) design->blade.thickness = failing.thickness;
+  design->process.clearance = failing.clearance;
+  design->process.margin = failing.margin;
+  double own = 0, advice = 0;
+  for (auto _ : state) {
+    const auto timed = [&](Purpose purpose) {
+      const auto start = std::chrono::steady_clock::now();
+      const Outcome outcome = evaluate(*design, nullptr, {}, purpose);
+      if (outcome.error) state.SkipWithError(outcome.error->message.c_str());
+      for (const Finding& finding : outcome.evaluation.findings())
+        if (const ServingLengths* lengths = std::get_if<ServingLengths>(&finding.cause))
+          state.counters["best_mm"] = lengths->said == ServingLengths::Said::others ? lengths->best : 0;
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const double alone = timed(Purpose::comparison);
+    own += alone;
+    advice += timed(Purpose::files) - alone;
+  }
+  const double n = double(state.iterations());
+  state.counters["design_s"] = own / n;
+  state.counters["advice_s"] = advice / n;
+  state.counters["times"] = advice / own;
+  state.SetLabel(std::string(failing.example) + " " + failing.preset);
+}
+BENCHMARK(adviceOfFailing)
+    ->DenseRange(0, int(std::size(kFailing)) - 1)
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace
 

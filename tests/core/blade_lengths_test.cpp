@@ -183,6 +183,49 @@ TEST(BladeLengths, AStopEndsTheSearch) {
   EXPECT_EQ(lengths.error().code, ErrorCode::cancelled);
 }
 
+TEST(BladeLengths, TheBestIsTheFirstThatServesAsAWhole) {
+  BladeLengths lengths;
+  const auto anew = [&] {
+    lengths.trials.clear();
+    for (int k = 0; k < 6; ++k) {
+      RowTrial trial{600.0 + 10 * k, Rest::certain};
+      trial.margin = 0.3 - 0.01 * k;  // the shorter the firmer
+      lengths.trials.push_back(trial);
+    }
+  };
+  const auto restOf = [&](double length) { return lengths.at(length)->rest; };
+  int asked = 0;
+  anew();
+  confirm(lengths, [&](RowTrial&) { return ++asked > 0; });
+  EXPECT_EQ(lengths.best, 600);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(lengths.bands().front().to, 650) << "nothing speaks against the others";
+  // Where the sections alone misled, of the others it is not known.
+  anew();
+  asked = 0;
+  confirm(lengths, [&](RowTrial& trial) {
+    ++asked;
+    return trial.length == 610;
+  });
+  EXPECT_EQ(lengths.best, 610);
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(restOf(600), Rest::lost);
+  EXPECT_EQ(restOf(610), Rest::certain);
+  EXPECT_EQ(restOf(620), Rest::unknown);
+  ASSERT_EQ(lengths.bands().size(), 1u);
+  EXPECT_EQ(lengths.bands().front().to, 610);
+  // It is not asked for ever.
+  anew();
+  asked = 0;
+  confirm(lengths, [&](RowTrial& trial) {
+    ++asked;
+    return trial.length == 650;
+  });
+  EXPECT_FALSE(lengths.best);
+  EXPECT_EQ(asked, kMostConfirmed);
+  EXPECT_TRUE(lengths.bands().empty());
+}
+
 TEST(BladeLengths, BandsJoinNeighboursThatServeAlike) {
   BladeLengths lengths;
   for (const auto& [length, rest] : {std::pair(600.0, Rest::lost),

@@ -173,14 +173,10 @@ Result<void> setOff(const CutWork& work) {
 
 namespace {
 
-/// What was sought, and of what may be advised what serves as designed. What is not advised is not computed
-/// so.
-template <class Trade>
-Result<Trade> sought(const CutWork& work, bool advised, Result<Trade> trade) {
-  if (!trade || !advised) return trade;
-  confirm(work, *trade);
-  if (work.context.stopped()) return stoppedError();
-  return trade;
+/// What may be advised serves as designed; what is not is not computed so.
+ServesWhole asAdvised(const CutWork& work, bool advised) {
+  if (!advised) return {};
+  return [&work](RowTrial& trial) { return servesAsDesigned(work, trial); };
 }
 
 }  // namespace
@@ -190,9 +186,9 @@ Result<void> seekLengths(const CutWork& work, double& seconds) {
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   return work.settle(&CutEvaluation::lengths, lengthsRequest(work), {row}, seconds,
                      [&work, &row](const LengthsRequest& request, Findings&) {
-                       return sought(work, !work.blade().autoLength && lengthFails(work.e),
-                                     bladeLengths(*row, request.lengths, request.setup.block,
-                                                  request.setup.planes, work.context));
+                       return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
+                                           work.context,
+                                           asAdvised(work, !work.blade().autoLength && lengthFails(work.e)));
                      });
 }
 
@@ -209,12 +205,11 @@ LengthsRequest marginsRequest(const CutWork& work) {
 Result<void> seekMargins(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  return work.settle(
-      &CutEvaluation::margins, marginsRequest(work), {row}, seconds,
-      [&work, &row](const LengthsRequest& asked, Findings&) {
-        return sought(work, marginFails(work.e),
-                      marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes, work.context));
-      });
+  return work.settle(&CutEvaluation::margins, marginsRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& asked, Findings&) {
+                       return marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                          work.context, asAdvised(work, marginFails(work.e)));
+                     });
 }
 
 namespace {
@@ -234,9 +229,9 @@ Result<void> seekClearances(const CutWork& work, double& seconds) {
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   return work.settle(&CutEvaluation::clearances, clearancesRequest(work), {row}, seconds,
                      [&work, &row](const LengthsRequest& asked, Findings&) {
-                       return sought(work, clearanceMayHelp(work.e, work.blade()),
-                                     clearanceTrade(*row, asked.lengths, asked.setup.block,
-                                                    asked.setup.planes, work.context));
+                       return clearanceTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                             work.context,
+                                             asAdvised(work, clearanceMayHelp(work.e, work.blade())));
                      });
 }
 
@@ -485,14 +480,34 @@ Result<void> analyze(const CutWork& work, double& seconds) {
 
 /// All that hangs on where the blade goes.
 Result<void> seeTheCut(const CutWork& work, double& seconds) {
-  for (const auto step : {&follow, &analyze, &compare, &cover}) {
+  for (const auto step : {&analyze, &compare, &cover}) {
     if (Result<void> ok = step(work, seconds); !ok) return ok;
     if (Result<void> ok = work.unlessStopped(); !ok) return ok;
   }
   return {};
 }
 
-/// What the row tells by itself, what its blades could rest in, and the cut surface against the target.
+/// What keeps each blade in its shape.
+Result<void> judgeRest(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::rest, checkRequest(work.design, work.cut),
+                     {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
+                     [&e](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
+                       RowRest rest = restOf(*e.sweep.value, *e.check.value, *e.certainty.value,
+                                             e.ends.value->entry, *e.way.value, request.margin);
+                       findings = rest.findings;
+                       return rest;
+                     });
+}
+
+/// What is tried ends where it is seen not to serve.
+Result<void> unlessRefuted(const CutWork& work, bool serves) {
+  if (!work.tried || serves) return {};
+  return fail(ErrorCode::noSolution, "this blade does not serve", work.cut.id);
+}
+
+/// What the row tells by itself, what its blades could rest in, what keeps them there, and the cut surface
+/// against the target.
 Result<void> checkRow(const CutWork& work) {
   CutEvaluation& e = work.e;
   const Sweep& sweep = *e.sweep.value;
@@ -502,6 +517,7 @@ Result<void> checkRow(const CutWork& work) {
                                   return checkSweep(sweep, request, work.context);
                                 });
   if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
+  if (ok) ok = unlessRefuted(work, keepsLimits(sweep, *e.check.value, e.check.request));
   if (!ok) return ok;
   // Side by side: none hangs on another.
   FirmRow firm;
@@ -513,17 +529,23 @@ Result<void> checkRow(const CutWork& work) {
     double& own = seconds[std::size_t(i)];
     Result<void>& outcome = done[std::size_t(i)];
     if (i == 0 && !asked) outcome = ask(work, own, firm);
-    if (i == 1) outcome = seeTheCut(work, own);
+    if (i == 1) outcome = follow(work, own);
+    if (i == 1 && outcome && !work.tried) outcome = seeTheCut(work, own);
     if (i == 2) outcome = lead(work, own);
   });
   work.seconds.check += std::ranges::max(seconds);
   for (const Result<void>& one : done)
     if (ok) ok = one;
-  if (!ok || !firm.row) return ok;
-  e.sweep.value = firm.row;
-  e.sweep.findings = firm.findings;
-  e.certainty.inputs = {firm.row};
-  return checkRow(work);
+  if (ok && firm.row) {
+    e.sweep.value = firm.row;
+    e.sweep.findings = firm.findings;
+    e.certainty.inputs = {firm.row};
+    return checkRow(work);
+  }
+  if (ok) ok = judgeRest(work);
+  if (!ok || !work.tried) return ok;
+  ok = unlessRefuted(work, !hasFailed(e));
+  return ok ? seeTheCut(work, work.seconds.check) : ok;
 }
 
 }  // namespace
@@ -533,16 +555,6 @@ Result<void> check(const CutWork& work) {
   Result<void> ok = checkRow(work);
   if (!ok) return ok;
   const Sweep& sweep = *e.sweep.value;
-  ok = work.settle(&CutEvaluation::rest, checkRequest(work.design, work.cut),
-                   {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
-                   [&](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
-                     const EntryExit& ends = *e.ends.value;
-                     RowRest rest = restOf(sweep, *e.check.value, *e.certainty.value, ends.entry,
-                                           *e.way.value, request.margin);
-                     findings = rest.findings;
-                     return rest;
-                   });
-  if (!ok) return ok;
   const Blade blade = work.blade();
   if (work.purpose == Purpose::files && (lengthFails(e) || clearanceMayHelp(e, blade))) {
     ok = seekLengths(work, work.seconds.check);

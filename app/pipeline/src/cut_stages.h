@@ -25,6 +25,7 @@ struct CutWork {
   std::optional<double> length = std::nullopt;  ///< mm, in place of a search for it
   bool joined = false;                          ///< goes on in a neighbouring block
   std::optional<int> stations = std::nullopt;   ///< in place of what its own sections ask for
+  bool tried = false;                           ///< to see whether it serves: ends where it is seen not to
 
   template <class Request, class T, class Make>
   Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
@@ -65,7 +66,7 @@ std::unique_ptr<SurfaceSampler> middleSampler(const geometry::Target& target, co
                                               const Kerf& kerf, std::shared_ptr<const KerfField> field);
 /// Sections, and the blades for them.
 Result<void> fit(const CutWork& work);
-/// The row, its motion, and how sure its blades rest.
+/// The row, its motion, and how sure its blades rest. Of what is tried, `noSolution` where it does not serve.
 Result<void> check(const CutWork& work);
 
 // What takes longer than a picture may wait for.

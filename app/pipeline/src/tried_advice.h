@@ -8,16 +8,15 @@ namespace bw::pipeline {
 
 // What served on sections is computed as its design would be, kerf, motion and all, before it is advised.
 
-/// True if the cut with the length, the clearance and the margin of a trial rests, is led into its row,
-/// through it and out of it, and keeps clearance and floor, as far as findings of its own evaluation tell.
-/// How near its surface comes to the target between the stations is left to their number. A stop, or what
-/// cannot be computed, serves nothing.
-[[nodiscard]] bool servesAsDesigned(const CutWork& work, const RowTrial& trial);
+/// True if the blade of a cut does not serve, as far as that was looked at: a finding tells that it does not
+/// rest, is not led into its row, through it or out of it, misses clearance or floor, or another error of its
+/// own; or another length may do what it does not. How near the surface comes to the target between the
+/// stations is left to their number, and what no blade decides is let be.
+[[nodiscard]] bool hasFailed(const CutEvaluation& cut);
 
-/// Leave as the best what serves as designed. Where the first that were tried so do not, nothing that is left
-/// is known to: all of it is lost then, and so is all but the best where one before it was.
-void confirm(const CutWork& work, BladeLengths& lengths);
-void confirm(const CutWork& work, ClearanceTrade& trade);
-void confirm(const CutWork& work, MarginTrade& trade);
+/// True if the cut serves with the length, the clearance and the margin of a trial: it is computed as its own
+/// design would be, until it is seen that it does not. What is in use serves nothing, nor does what cannot be
+/// computed, or was stopped.
+[[nodiscard]] bool servesAsDesigned(const CutWork& work, const RowTrial& trial);
 
 }  // namespace bw::pipeline

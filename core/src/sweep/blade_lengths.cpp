@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "bw/core/sweep/firm_row.h"
@@ -28,7 +27,6 @@ constexpr std::size_t kAtOnce = 4;  // of these; where the last ones serve no mo
 constexpr std::array kMargins = {0.0, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6};
 constexpr std::size_t kNearer = 12;  // lengths at most with one smaller clearance
 constexpr double kShortest = 0.99;   // of the longest section: what a blade has between its leads at least
-constexpr int kConfirmed = 4;        // of those that serve on some sections are tried on all, until one does
 
 double rounded(double length) { return kStep * std::round(length / kStep); }
 
@@ -62,6 +60,11 @@ Some allOf(const std::vector<Section>& sections) {
   return all;
 }
 
+/// True if the grips are far enough from the block, and the blade from what it lies on.
+bool reachesFar(const StationCheck& station, const CheckRequest& request) {
+  return station.clearance >= request.clearance && !station.nearBottom;
+}
+
 /// Tries blades on a row.
 class Trials {
  public:
@@ -81,11 +84,12 @@ class Trials {
     const Result<Sweep> sweep = buildSweep(some_.sections, fit, block_, planes_, quiet_, unused);
     if (!sweep) return trial;
     trial.reaches = true;
-    if (!look(trial, *sweep, request) || !trial.reaches) return trial;
+    // What is told soonest comes first: to seek other shapes takes ten times as long as all before it.
+    if (!look(trial, *sweep, request) || !leads(planEntryExit(*sweep, request.ends, quiet_))) return trial;
     const Result<FirmRow> firm = firmRow(*sweep, quiet_);
     if (!firm) return trial;
     const Sweep& row = firm->row ? *firm->row : *sweep;
-    if (firm->row && (!look(trial, row, request) || !trial.reaches)) return trial;
+    if (firm->row && !look(trial, row, request)) return trial;
     trial.rest = restOn(row, firm->certainty, request);
     if (!some_.all || !trial.serves()) return trial;
     const Result<double> between = sweep::offBetween(row, quiet_);
@@ -108,18 +112,18 @@ class Trials {
     trial.reaches = true;
     trial.margin = 1;
     trial.deviation = 0;
-    bool keeps = true;
     for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
       const StationCheck& seen = check->stations[i];
       trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
       trial.deviation = std::max(trial.deviation, sweep.fits[i].fit.hausdorff);
-      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance && !seen.nearBottom;
-      keeps = keeps && seen.stable && seen.stabilityMargin >= request.check.margin &&
-              seen.outOfPlaneMargin > 0 && seen.sideways <= request.check.tolerance && !seen.crossesItself &&
-              !seen.gripsSwapped && sweep.fits[i].unknown.empty() &&
-              sweep.poses[i].maxCurvature() <= request.fit.blade.maxCurvature();
+      trial.reaches = trial.reaches && reachesFar(seen, request.check);
     }
-    return keeps;
+    return keepsLimits(sweep, *check, request.check) && trial.deviation <= request.check.tolerance;
+  }
+
+  /// True if a way leads into the row, and one out of it.
+  static bool leads(const Result<EntryExit>& ends) {
+    return ends && !ends->entry.poses.empty() && !ends->exit.poses.empty();
   }
 
   /// How the worst of the stations rests, the way between them let be.
@@ -133,7 +137,7 @@ class Trials {
     const std::optional<double> barrier = certainty.leastBarrier();
     if (!barrier || *barrier < kLeastBarrier) return Rest::lost;
     const Result<EntryExit> ends = planEntryExit(sweep, request.ends, quiet_);
-    if (!ends || ends->entry.poses.empty() || ends->exit.poses.empty()) return Rest::lost;
+    if (!leads(ends)) return Rest::lost;
     return worst == Rest::certain || ends->entry.margin >= request.check.margin ? worst : Rest::lost;
   }
 
@@ -148,37 +152,58 @@ void judgeDistance(RowTrial& trial, double tolerance) {
   if (trial.deviation > tolerance) trial.rest = Rest::lost;
 }
 
-/// Finds the best of what was tried on some sections by trying it on all of them, one at a time with all
-/// threads.
-class Confirmed {
+/// The request with another blade length, clearance and margin.
+LengthRequest requestFor(LengthRequest request, double length, double clearance, double margin) {
+  request.fit.blade.length = length;
+  request.fit.blade.autoLength = false;
+  request.fit.clearance = request.check.clearance = clearance;
+  request.fit.margin = request.check.margin = request.ends.margin = margin;
+  return request;
+}
+
+/// The first of those that serve, the best first, that serves as a whole; null if none is known to.
+template <class Trade>
+const RowTrial* confirmedOf(Trade& trade, const ServesWhole& whole) {
+  const RowTrial* found = nullptr;
+  bool misled = false;  // by the sections that were tried
+  for (int asked = 0; asked < kMostConfirmed && !found; ++asked) {
+    RowTrial* best = nullptr;
+    for (RowTrial& one : trade.trials)
+      if (one.serves() && (!best || trade.isBetter(one, *best))) best = &one;
+    if (!best) return nullptr;
+    if (whole(*best)) {
+      found = best;
+    } else {
+      best->rest = Rest::lost;
+      misled = true;
+    }
+  }
+  for (RowTrial& one : trade.trials)
+    if (misled && &one != found && one.serves()) one.rest = Rest::unknown;
+  return found;
+}
+
+/// Tries on all sections, one at a time with all threads, what was tried on some.
+class OnAll {
  public:
-  Confirmed(const std::vector<Section>& sections, const Some& some, const Box& block,
-            const PlaneFamily& planes, const RunContext& context)
+  OnAll(const std::vector<Section>& sections, const Some& some, const LengthRequest& request,
+        const Box& block, const PlaneFamily& planes, const RunContext& context)
       : known_(some.all),
         all_(known_ ? Some() : allOf(sections)),
+        request_(request),
         trial_(all_, block, planes, context, context.threads) {}
 
-  /// The first by `better` that serves; what does not, or is left when so many did not, is lost. Null if
-  /// none does. `requestOf` is what a trial answered.
-  template <class Better, class RequestOf>
-  const RowTrial* best(std::span<RowTrial> trials, const Better& better, const RequestOf& requestOf) const {
-    for (int round = 0; round < kConfirmed; ++round) {
-      RowTrial* best = nullptr;
-      for (RowTrial& one : trials)
-        if (one.serves() && (!best || better(one, *best))) best = &one;
-      if (!best || known_) return best;
-      const LengthRequest request = requestOf(*best);
-      *best = trial_(request);
-      judgeDistance(*best, request.check.tolerance);
-      if (best->serves()) return best;
-    }
-    for (RowTrial& one : trials) one.rest = Rest::lost;
-    return nullptr;
+  bool operator()(RowTrial& trial) const {
+    if (known_) return true;
+    trial = trial_(requestFor(request_, trial.length, trial.clearance, trial.asked));
+    judgeDistance(trial, request_.check.tolerance);
+    return trial.serves();
   }
 
  private:
   bool known_;
   Some all_;
+  const LengthRequest& request_;
   Trials trial_;
 };
 
@@ -227,12 +252,11 @@ std::vector<double> lengthsBetween(double shortest, double end) {
 /// Lets grips come nearer to the block.
 class NearerGrips {
  public:
-  NearerGrips(const std::vector<Section>& sections, const Some& some, const LengthRequest& request,
-              const Box& block, const PlaneFamily& planes, const RunContext& context)
+  NearerGrips(const Some& some, const LengthRequest& request, const Box& block, const PlaneFamily& planes,
+              const RunContext& context)
       : request_(request),
         context_(context),
         trial_(some, block, planes, context),
-        confirmed_(sections, some, block, planes, context),
         longest_(longestOf(some.sections)) {
     if (!request.fit.blade.autoLength) trade_.own = request.fit.blade.length;
   }
@@ -255,7 +279,7 @@ class NearerGrips {
   }
 
  private:
-  /// Whether some length serves: the best of the first four that hold one becomes that of the trade.
+  /// Whether some length serves on the sections.
   Result<bool> servesAt(double clearance) {
     std::vector<double> lengths =
         lengthsBetween(shortestFor(longest_, clearance), shortestFor(longest_, request_.check.clearance));
@@ -267,13 +291,8 @@ class NearerGrips {
       const std::size_t count = std::min(kAtOnce, lengths.size() - first);
       Result<std::vector<RowTrial>> made = tryAll(clearance, &lengths[first], count);
       if (!made) return tl::unexpected<Error>(made.error());
-      const RowTrial* best = confirmed_.best(
-          std::span(*made), [&](const RowTrial& a, const RowTrial& b) { return trade_.isBetter(a, b); },
-          [&](const RowTrial& one) { return requestFor(clearance, one.length); });
-      if (context_.stopped()) return stoppedError();
-      if (best) trade_.best = *best;
       trade_.trials.insert(trade_.trials.end(), made->begin(), made->end());
-      if (best) return true;
+      if (std::ranges::any_of(*made, &RowTrial::serves)) return true;
     }
     return false;
   }
@@ -281,7 +300,7 @@ class NearerGrips {
   Result<std::vector<RowTrial>> tryAll(double clearance, const double* lengths, std::size_t count) {
     std::vector<RowTrial> made(count);
     const Result<void> ok = parallelFor(context_, int(count), [&](int i) {
-      made[std::size_t(i)] = trial_(requestFor(clearance, lengths[i]));
+      made[std::size_t(i)] = trial_(requestFor(request_, lengths[i], clearance, request_.check.margin));
       judgeDistance(made[std::size_t(i)], request_.check.tolerance);
     });
     if (!ok) return tl::unexpected<Error>(ok.error());
@@ -289,23 +308,26 @@ class NearerGrips {
     return made;
   }
 
-  LengthRequest requestFor(double clearance, double length) const {
-    LengthRequest one = request_;
-    one.fit.blade.length = length;
-    one.fit.blade.autoLength = false;
-    one.fit.clearance = one.check.clearance = clearance;
-    return one;
-  }
-
   const LengthRequest& request_;
   const RunContext& context_;
   Trials trial_;
-  Confirmed confirmed_;
   double longest_;
   ClearanceTrade trade_;
 };
 
 }  // namespace
+
+bool keepsLimits(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request) {
+  for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
+    const StationCheck& seen = check.stations[i];
+    if (!seen.stable || seen.stabilityMargin < request.margin || seen.outOfPlaneMargin <= 0 ||
+        seen.sideways > request.tolerance || seen.crossesItself || seen.gripsSwapped ||
+        !reachesFar(seen, request) || !sweep.fits[i].unknown.empty() ||
+        sweep.poses[i].maxCurvature() > sweep.request.blade.maxCurvature())
+      return false;
+  }
+  return true;
+}
 
 bool isFirmer(const RowTrial& a, const RowTrial& b) {
   if (a.rest != b.rest) return a.rest == Rest::certain;
@@ -340,23 +362,35 @@ const RowTrial* BladeLengths::at(double length) const {
   return after == trials.begin() ? nullptr : &*(after - 1);
 }
 
+void confirm(BladeLengths& lengths, const ServesWhole& whole) {
+  const RowTrial* best = confirmedOf(lengths, whole);
+  lengths.best = best ? std::optional(best->length) : std::nullopt;
+}
+
+void confirm(MarginTrade& trade, const ServesWhole& whole) {
+  const RowTrial* best = confirmedOf(trade, whole);
+  trade.best = best ? std::optional(best->asked) : std::nullopt;
+}
+
+void confirm(ClearanceTrade& trade, const ServesWhole& whole) {
+  const RowTrial* best = confirmedOf(trade, whole);
+  trade.best = best ? std::optional(*best) : std::nullopt;
+}
+
 Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const LengthRequest& request,
-                                  const Box& block, const PlaneFamily& planes, const RunContext& context) {
+                                  const Box& block, const PlaneFamily& planes, const RunContext& context,
+                                  const ServesWhole& whole) {
   const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
   const Trials trial(*some, block, planes, context);
-  const auto requestFor = [&](double length) {
-    LengthRequest one = request;
-    one.fit.blade.length = length;
-    return one;
-  };
   BladeLengths lengths;
   std::vector<RowTrial>& trials = lengths.trials;
   const auto tryAll = [&](const std::set<double>& asked) -> Result<bool> {
     const std::vector<double> list(asked.begin(), asked.end());
     std::vector<RowTrial> made(list.size());
     const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
-      made[std::size_t(i)] = trial(requestFor(list[std::size_t(i)]));
+      made[std::size_t(i)] =
+          trial(requestFor(request, list[std::size_t(i)], request.check.clearance, request.check.margin));
     });
     if (!ok) return tl::unexpected<Error>(ok.error());
     if (context.stopped()) return stoppedError();
@@ -387,16 +421,14 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   }
 
   for (RowTrial& one : trials) judgeDistance(one, request.check.tolerance);
-  const RowTrial* best =
-      Confirmed(sections, *some, block, planes, context)
-          .best(std::span(trials), isFirmer, [&](const RowTrial& one) { return requestFor(one.length); });
+  confirm(lengths, whole ? whole : OnAll(sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
-  if (best) lengths.best = best->length;
   return lengths;
 }
 
 Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const LengthRequest& request,
-                                const Box& block, const PlaneFamily& planes, const RunContext& context) {
+                                const Box& block, const PlaneFamily& planes, const RunContext& context,
+                                const ServesWhole& whole) {
   const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
   for (const Section& section : some->sections)
@@ -407,36 +439,31 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
   asked.insert(request.check.margin);
   const std::vector<double> list(asked.begin(), asked.end());
   const Trials trial(*some, block, planes, context);
-  const auto requestFor = [&](double margin) {
-    LengthRequest one = request;
-    one.fit.margin = one.check.margin = one.ends.margin = margin;
-    return one;
-  };
   MarginTrade trade;
   trade.least = request.check.margin;
   trade.trials.resize(list.size());
   const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
-    trade.trials[std::size_t(i)] = trial(requestFor(list[std::size_t(i)]));
+    trade.trials[std::size_t(i)] =
+        trial(requestFor(request, request.fit.blade.length, request.check.clearance, list[std::size_t(i)]));
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   for (RowTrial& one : trade.trials) judgeDistance(one, request.check.tolerance);
-  const RowTrial* best = Confirmed(sections, *some, block, planes, context)
-                             .best(
-                                 std::span(trade.trials),
-                                 [&](const RowTrial& a, const RowTrial& b) { return trade.isBetter(a, b); },
-                                 [&](const RowTrial& one) { return requestFor(one.asked); });
+  confirm(trade, whole ? whole : OnAll(sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
-  if (best) trade.best = best->asked;
   return trade;
 }
 
 Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections, const LengthRequest& request,
-                                      const Box& block, const PlaneFamily& planes,
-                                      const RunContext& context) {
+                                      const Box& block, const PlaneFamily& planes, const RunContext& context,
+                                      const ServesWhole& whole) {
   const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
-  return NearerGrips(sections, *some, request, block, planes, context).seek();
+  Result<ClearanceTrade> trade = NearerGrips(*some, request, block, planes, context).seek();
+  if (!trade) return trade;
+  confirm(*trade, whole ? whole : OnAll(sections, *some, request, block, planes, context));
+  if (context.stopped()) return stoppedError();
+  return trade;
 }
 
 }  // namespace bw

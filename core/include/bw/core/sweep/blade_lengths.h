@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -37,14 +38,23 @@ struct RowTrial {
   bool serves() const { return rest == Rest::certain || rest == Rest::held; }
 };
 
+/// True where the blade of a row keeps at all of its stations what a blade of any length is to keep: radius,
+/// margins, clearance and floor, its own side of itself, the plane to within the tolerance; and where it is
+/// known how it hangs.
+[[nodiscard]] bool keepsLimits(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request);
+
 /// Which of two trials is rather advised: what is certain before what is held, then that of the larger
 /// margin.
 [[nodiscard]] bool isFirmer(const RowTrial& a, const RowTrial& b);
 
+/// Whether what serves on the sections that it was tried on serves as a whole; it may tell the trial more
+/// than is known of it.
+using ServesWhole = std::function<bool(RowTrial&)>;
+
 /// Which lengths of a blade serve a row.
 struct BladeLengths {
   std::vector<RowTrial> trials;               ///< ascending
-  std::optional<double> best = std::nullopt;  ///< mm; none where none serves
+  std::optional<double> best = std::nullopt;  ///< mm; none where none is known to serve
   /// A stretch of lengths that serve alike: no length that was tried in it does otherwise.
   struct Band {
     double from = 0, to = 0;
@@ -64,13 +74,13 @@ struct BladeLengths {
 /// margin, its plane, the clearance and the floor, crosses nothing, lies on the sections within the tolerance
 /// (where all are tried, halfway between them too, and is followed there as robots move its grips), rests in
 /// the shape that is asked for, certain or held, and can be led into it and out of it. The best one is that
-/// of the largest margin, one that is certain before one that is held; it serves all sections and halfway
-/// between them, or else the next best is taken, four times at most, and then none. Lengths are whole
-/// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
-/// s.
+/// of the largest margin, one that is certain before one that is held; it serves as a `whole` (`confirm`): if
+/// nothing else is given, all sections and halfway between them. Lengths are whole multiples of 5 mm.
+/// docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8 s.
 [[nodiscard]] Result<BladeLengths> bladeLengths(const std::vector<Section>& sections,
                                                 const LengthRequest& request, const Box& block,
-                                                const PlaneFamily& planes, const RunContext& context);
+                                                const PlaneFamily& planes, const RunContext& context,
+                                                const ServesWhole& whole = {});
 
 /// What of the deviation a row gives for the margin of its blades.
 struct MarginTrade {
@@ -85,11 +95,13 @@ struct MarginTrade {
 /// Solves some of the sections (as `bladeLengths`) for the blade of the request, asked to keep margins from 0
 /// to 0.6 and that of the request. Each trial tells the margin that the row then has, how far its blades lie
 /// from their sections, and how the worst station rests: with the same limits as for lengths, but for the
-/// margin, which is the one that is tried. docs/mathematics.md, sweep. Errors: badInput without sections or
+/// margin, which is the one that is tried. The best serves as a `whole`. docs/mathematics.md, sweep. Errors:
+/// badInput without sections or
 /// where the blade is shorter than one; `cancelled`. Some 0.5 to 2 s.
 [[nodiscard]] Result<MarginTrade> marginTrade(const std::vector<Section>& sections,
                                               const LengthRequest& request, const Box& block,
-                                              const PlaneFamily& planes, const RunContext& context);
+                                              const PlaneFamily& planes, const RunContext& context,
+                                              const ServesWhole& whole = {});
 
 /// What a row does where its grips may come nearer to the block.
 struct ClearanceTrade {
@@ -112,10 +124,19 @@ inline constexpr double kLeastClearance = 10;
 /// serves larger ones, by halves down to 5 mm. At each one the blade of the request, unless that leaves its
 /// length open, and the lengths that are too short for the clearance asked for, in fours, until some serve
 /// (the shortest four 5 mm apart, then each a fortieth longer, twelve at most). Of those that serve with one
-/// clearance the blade of the request is the best, else as for lengths. Same limits as for these. Errors:
-/// badInput without sections; `cancelled`. Some 1 to 5 s.
+/// clearance the blade of the request is the best, else as for lengths; the best of all serves as a `whole`.
+/// Same limits as for these. Errors: badInput without sections; `cancelled`. Some 1 to 5 s.
 [[nodiscard]] Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections,
                                                     const LengthRequest& request, const Box& block,
-                                                    const PlaneFamily& planes, const RunContext& context);
+                                                    const PlaneFamily& planes, const RunContext& context,
+                                                    const ServesWhole& whole = {});
+
+/// So many are asked at most whether they serve as a whole: each takes as long as the design itself.
+inline constexpr int kMostConfirmed = 4;
+/// The best of what serves becomes the first that serves as a whole; what does not is lost. Where one did
+/// not, of all others that were not asked it is not known.
+void confirm(BladeLengths& lengths, const ServesWhole& whole);
+void confirm(MarginTrade& trade, const ServesWhole& whole);
+void confirm(ClearanceTrade& trade, const ServesWhole& whole);
 
 }  // namespace bw
