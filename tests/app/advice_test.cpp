@@ -106,13 +106,18 @@ TEST(Advice, AClearanceThatIsAdvisedKeepsWhatNoLengthDoes) {
   EXPECT_FALSE(exceedsLimit(after.findings()));
 }
 
-TEST(Advice, ALengthThatIsAdvisedServesAsItsDesignIsComputed) {
-  // On sections alone several lengths serve, at 41 stations none.
+/// On sections alone several lengths serve it, at 41 stations none.
+Design misleading() {
   Design design = exampleDesign("ripple-along").value();
   design.output.programs.clear();
   design.sources[0].surface = DesignedSurface{FormulaSurface{
       {{0, 0}, {600, 800}}, "250+60*sin(pi*x/600)*cos(2*pi*y/1600)+0.3*(x-300)*sin(2*pi*y/800)"}};
   design.cut().sections.stations = 41;
+  return design;
+}
+
+TEST(Advice, ALengthThatIsAdvisedServesAsItsDesignIsComputed) {
+  Design design = misleading();
   const Evaluation before = evaluated(design);
   ASSERT_TRUE(hasErrors(before.findings()));
   for (const Finding& finding : before.findings())
@@ -121,6 +126,29 @@ TEST(Advice, ALengthThatIsAdvisedServesAsItsDesignIsComputed) {
       EXPECT_FALSE(hasErrors(evaluated(design).findings())) << advised->length;
       break;
     }
+}
+
+TEST(Advice, AnOpenLengthIsToldToServeOnlyWhereItsDesignDoes) {
+  Design design = misleading();
+  design.blade.autoLength = true;
+  const Evaluation e = evaluated(design, Purpose::live);
+  const BladeLengths& lengths = *e.cut().lengths.value;
+  const double taken = e.cut().sweep.value->request.blade.length;
+  EXPECT_FALSE(lengths.best);
+  EXPECT_FALSE(lengths.designed);
+  EXPECT_EQ(lengths.nearest, taken);
+  EXPECT_TRUE(lengths.bands().empty()) << "nothing is promised";
+  // It stays so when it is computed again, and costs nothing.
+  Outcome again = evaluate(design, &e, {}, Purpose::live);
+  ASSERT_FALSE(again.error);
+  EXPECT_EQ(again.evaluation.cut().lengths.value, e.cut().lengths.value);
+  EXPECT_EQ(again.evaluation.cut().sweep.value, e.cut().sweep.value);
+  // Where its design serves, it is told so.
+  Design firm = panel("steel-tube-3-2.5", 800);
+  firm.blade.autoLength = true;
+  const Evaluation served = evaluated(firm, Purpose::live);
+  EXPECT_TRUE(served.cut().lengths.value->designed);
+  EXPECT_EQ(served.cut().lengths.value->best, served.cut().sweep.value->request.blade.length);
 }
 
 TEST(Advice, NoLengthServesWhoseBladesLieTooFarOffBetweenTheStations) {

@@ -642,16 +642,19 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
   // A longer one keeps its margin only beyond the tolerance; lengths that need not are told.
   const Finished stretched = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": 1200})");
   EXPECT_NE(stretched.err.find("more than the tolerance"), std::string::npos) << stretched.err;
-  EXPECT_NE(stretched.err.find("lengths that serve all stations tried"), std::string::npos) << stretched.err;
+  EXPECT_NE(stretched.err.find("lengths that serve the stations that they were tried on"), std::string::npos)
+      << stretched.err;
   // Left open, the length is the best of those that serve.
   const Finished open = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": "auto"})");
   EXPECT_EQ(open.status, 0) << open.err;
-  EXPECT_NE(open.err.find("mm was taken of"), std::string::npos) << open.err;
+  EXPECT_NE(open.err.find("mm was taken, which serves all stations; "), std::string::npos) << open.err;
   const nlohmann::json taken = report();
   EXPECT_EQ(taken["blade"]["length"], taken["blade"]["lengths"]["best"]);
   EXPECT_LT(taken["blade"]["length"], 730);
   EXPECT_GT(taken["blade"]["lengths"]["serving"].back()["to"], 900);
   EXPECT_EQ(taken["blade"]["length_auto"], true);
+  EXPECT_EQ(taken["blade"]["lengths"]["best_computed"], true);
+  EXPECT_GT(taken["blade"]["lengths"]["stations_tried"], 10);
   EXPECT_EQ(blade({"simulate", folder / "out"}).status, 0);
   EXPECT_NEAR(lost["strips"][0]["stations"][14]["energy_ratio"], 28.65 / 17.33, 0.02);
   // One that is too weak in any length is told, and gets no program.

@@ -180,6 +180,20 @@ TEST(Findings, TellTheClearanceThatServes) {
             "no length of this blade is known to serve all stations (700 to 1200 mm were tried with this "
             "clearance); a "
             "blade of 625 mm serves where grips may come within 15 mm of the block");
+  ServingLengths others{Said::others, 705, 700, 900};
+  EXPECT_EQ(
+      said(others),
+      "lengths that serve the stations that they were tried on: 700 to 900 mm; the best, 705 mm, serves "
+      "all");
+  others.said = Said::taken;
+  EXPECT_EQ(
+      said(others),
+      "the blade's length was left open: 705 mm was taken, which serves all stations; 700 to 900 mm serve "
+      "those that they were tried on");
+  others.from = others.to = 705;
+  EXPECT_EQ(said(others), "the blade's length was left open: 705 mm was taken, which serves all stations");
+  others.said = Said::others;
+  EXPECT_EQ(said(others), "a blade of 705 mm serves all stations");
   EXPECT_EQ(action(OtherClearance{15, 625}), "Allow a clearance of 15 mm with a blade of 625 mm");
   EXPECT_EQ(action(OtherClearance{15}), "Allow a clearance of 15 mm");
 }

@@ -61,12 +61,10 @@ bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
   return false;
 }
 
-/// The length that serves best, but not the one in use where that fails as designed.
-std::optional<double> servingLength(const CutEvaluation& cut) {
-  const std::optional<double>& best = cut.lengths.value->best;
-  if (best && cut.sweep.value && *best == cut.sweep.value->request.blade.length && lengthFails(cut))
-    return {};
-  return best;
+/// What is known of lengths, so that it may be advised: that one serves is known when its design is computed.
+const BladeLengths* knownLengths(const CutEvaluation& cut) {
+  const BladeLengths* lengths = cut.lengths.value.get();
+  return lengths && (!lengths->best || lengths->designed) ? lengths : nullptr;
 }
 
 /// What serves with grips nearer to the block, where nothing does with the clearance asked for; else null.
@@ -113,15 +111,15 @@ bool clearanceMayHelp(const CutEvaluation& cut, const Blade& blade) {
 bool marginFails(const CutEvaluation& cut) { return cut.rest.value && anyOf(cut, &restsLoosely); }
 
 Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
-  if (!cut.lengths.value || !cut.rest.value) return {};
-  const BladeLengths& lengths = *cut.lengths.value;
+  const BladeLengths* known = knownLengths(cut);
+  if (!known || known->trials.empty() || !cut.rest.value) return {};
+  const BladeLengths& lengths = *known;
   if (!blade.autoLength && !lengthFails(cut)) return {};
   using Said = ServingLengths::Said;
-  if (lengths.trials.empty()) return {};
   ServingLengths cause{blade.autoLength ? Said::nearest : Said::none, blade.length,
                        lengths.trials.front().length, lengths.trials.back().length};
   Remedies remedies;
-  if (const std::optional<double> best = servingLength(cut)) {
+  if (const std::optional<double>& best = lengths.best) {
     cause.said = blade.autoLength ? Said::taken : Said::others;
     cause.best = *best;
     for (const BladeLengths::Band& band : lengths.bands())
@@ -140,8 +138,9 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
 }
 
 void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade) {
-  if (!cut.lengths.value) return;
-  const std::optional<double> best = servingLength(cut);
+  const BladeLengths* known = knownLengths(cut);
+  if (!known) return;
+  const std::optional<double>& best = known->best;
   for (Finding& finding : findings) {
     if (!restFails(finding)) continue;
     drop<OtherLength>(finding.remedies);

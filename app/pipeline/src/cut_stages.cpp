@@ -116,10 +116,12 @@ LengthsRequest lengthsRequest(const CutWork& work) {
   return {*work.e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)};
 }
 
-/// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
-/// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
+/// Of the lengths that were tried the one that serves best, or else comes nearest to it: the best of those
+/// that served on sections alone, or of the blades that rest and reach the one that lies nearest to its
+/// sections, or that which misses its rest by least.
 double lengthOf(const BladeLengths& lengths) {
   if (lengths.best) return *lengths.best;
+  if (lengths.nearest) return *lengths.nearest;
   const auto nearness = [](const RowTrial& trial) {
     const bool rests = trial.reaches && trial.margin > 0;
     return std::pair(rests, rests ? -trial.deviation : trial.margin);
@@ -184,13 +186,60 @@ ServesWhole asAdvised(const CutWork& work, bool advised) {
 Result<void> seekLengths(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  return work.settle(&CutEvaluation::lengths, lengthsRequest(work), {row}, seconds,
-                     [&work, &row](const LengthsRequest& request, Findings&) {
-                       return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
-                                           work.context,
-                                           asAdvised(work, !work.blade().autoLength && lengthFails(work.e)));
+  // The best of an open length is taken, and what follows of it is its design: `confirmTaken`.
+  const bool open = work.blade().autoLength, advised = !open && lengthFails(e);
+  const auto asDesigned = [&work](RowTrial& trial) { return servesAsDesigned(work, trial); };
+  ServesWhole whole;
+  if (open) whole = [](RowTrial&) { return true; };
+  if (advised) whole = asDesigned;
+  const LengthsRequest asked = lengthsRequest(work);
+  Result<void> ok;
+  if (!e.lengths.value || e.lengths.request != asked || e.lengths.inputs != Inputs{row})
+    ok = work.settle(&CutEvaluation::lengths, asked, {row}, seconds,
+                     [&](const LengthsRequest& request, Findings&) {
+                       Result<BladeLengths> lengths = bladeLengths(*row, request.lengths, request.setup.block,
+                                                                   request.setup.planes, work.context, whole);
+                       if (lengths) lengths->designed = advised && lengths->best;
+                       return lengths;
                      });
+  // Those of before may have been sought when nothing was to be advised.
+  if (!ok || !advised || !e.lengths.value->best || e.lengths.value->designed) return ok;
+  BladeLengths lengths = *e.lengths.value;
+  confirm(lengths, asDesigned);
+  if (work.context.stopped()) return stoppedError();
+  lengths.designed = lengths.best.has_value();
+  e.lengths.value = std::make_shared<const BladeLengths>(std::move(lengths));
+  return ok;
 }
+
+namespace {
+
+/// An open length was taken for what its blades do on sections. Where its design fails, the next best is
+/// computed, and takes its place where it serves.
+Result<void> confirmTaken(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  if (!work.blade().autoLength || work.length || !e.lengths.value->best) return {};
+  const bool failed = hasFailed(e);
+  if (!failed && e.lengths.value->designed) return {};
+  BladeLengths lengths = *e.lengths.value;
+  CutEvaluation served;
+  if (failed) {
+    lengths.nearest = lengths.best;
+    confirm(lengths, [&](RowTrial& trial) { return servesAsDesigned(work, trial, &served); });
+    if (work.context.stopped()) return stoppedError();
+  }
+  lengths.designed = lengths.best.has_value();
+  Stage<LengthsRequest, BladeLengths> stage = e.lengths;
+  if (failed && lengths.best) {
+    e = std::move(served);
+    stage.inputs = {rowOf(e)};
+  }
+  stage.value = std::make_shared<const BladeLengths>(std::move(lengths));
+  e.lengths = std::move(stage);
+  return {};
+}
+
+}  // namespace
 
 namespace {
 
@@ -554,7 +603,13 @@ Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
   Result<void> ok = checkRow(work);
   if (!ok) return ok;
-  const Sweep& sweep = *e.sweep.value;
+  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design, work.cut), {e.ends.value, e.way.value},
+                   work.seconds.check, [&e](const MotionRequest& request, Findings& findings) {
+                     return buildMotion(*e.sweep.value, *e.ends.value, e.way.value->targets, request,
+                                        findings);
+                   });
+  if (ok) ok = confirmTaken(work);
+  if (!ok) return ok;
   const Blade blade = work.blade();
   if (work.purpose == Purpose::files && (lengthFails(e) || clearanceMayHelp(e, blade))) {
     ok = seekLengths(work, work.seconds.check);
@@ -562,10 +617,6 @@ Result<void> check(const CutWork& work) {
     if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
     if (!ok) return ok;
   }
-  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design, work.cut), {e.ends.value, e.way.value},
-                   work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
-                     return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
-                   });
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
   if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
   if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});

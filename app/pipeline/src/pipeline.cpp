@@ -537,7 +537,9 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
             });
         return looked.has_value();
       }
-      if (!stages.lengths.value) return seekLengths(work, none).has_value();
+      const BladeLengths* lengths = stages.lengths.value.get();
+      if (!lengths || (lengths->best && !lengths->designed && lengthFails(stages)))
+        return seekLengths(work, none).has_value();
       if (!stages.clearances.value && clearanceMayHelp(stages, work.blade()))
         return seekClearances(work, none).has_value();
       if (!stages.margins.value) return seekMargins(work, none).has_value();

@@ -245,6 +245,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
       bands.push_back({{"from", band.from}, {"to", band.to}, {"certainty", restName(band.rest)}});
     const std::optional<double>& best = cut.lengths.value->best;
     report["blade"]["lengths"] = {{"best", best ? ordered_json(*best) : ordered_json(nullptr)},
+                                  {"best_computed", cut.lengths.value->designed},
+                                  {"stations_tried", cut.lengths.value->stations},
                                   {"serving", bands}};
   }
   if (cut.margins.value) {

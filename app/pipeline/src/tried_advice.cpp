@@ -44,21 +44,24 @@ bool hasFailed(const CutEvaluation& cut) {
   return std::ranges::any_of(findings, fails) || lengthFails(cut);
 }
 
-bool servesAsDesigned(const CutWork& work, const RowTrial& trial) {
+bool servesAsDesigned(const CutWork& work, const RowTrial& trial, CutEvaluation* computed) {
   if (isInUse(work, trial)) return false;  // it is asked about because it failed
   Design design = work.design;
   design.process.clearance = trial.clearance;
   design.process.margin = trial.asked;
   Cut cut = work.cut;
-  cut.length = trial.length;
+  if (!work.blade().autoLength) cut.length = trial.length;
   // What does not hang on the blade stands.
-  CutEvaluation anew;
+  CutEvaluation own;
+  CutEvaluation& anew = computed ? *computed : own;
+  anew = {};
   anew.id = work.e.id;
   anew.target = work.e.target;
   anew.targetMesh = work.e.targetMesh;
   anew.placed = work.e.placed;
   anew.directions = work.e.directions;
   anew.setup = work.e.setup;
+  anew.count = work.e.count;
   RunContext quiet;
   quiet.stop = work.context.stop;
   quiet.threads = work.context.threads;
@@ -66,6 +69,7 @@ bool servesAsDesigned(const CutWork& work, const RowTrial& trial) {
   CutWork tried{design, cut, anew, &work.e, seconds, quiet, Purpose::comparison};
   if (work.purpose == Purpose::live) tried.purpose = Purpose::live;
   tried.tried = true;
+  if (work.blade().autoLength) tried.length = trial.length;
   tried.joined = work.joined;
   tried.stations = work.stations;
   if (cut.sections.byTolerance() && work.e.sections.value)

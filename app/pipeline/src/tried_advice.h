@@ -16,7 +16,8 @@ namespace bw::pipeline {
 
 /// True if the cut serves with the length, the clearance and the margin of a trial: it is computed as its own
 /// design would be, until it is seen that it does not. What is in use serves nothing, nor does what cannot be
-/// computed, or was stopped.
-[[nodiscard]] bool servesAsDesigned(const CutWork& work, const RowTrial& trial);
+/// computed, or was stopped. What was computed is put where `computed` says.
+[[nodiscard]] bool servesAsDesigned(const CutWork& work, const RowTrial& trial,
+                                    CutEvaluation* computed = nullptr);
 
 }  // namespace bw::pipeline

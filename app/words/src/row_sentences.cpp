@@ -174,15 +174,19 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
   const std::string none =
       "no length of this blade is known to serve all stations (" + stretch + " were tried" + clearances + ")";
   const std::string mended = "; " + (also.empty() ? kNoneServes : also);
+  // The best was computed whole; of others that is known what they were tried on.
+  const std::string best = whole(cause.best) + " mm";
+  const bool alone = cause.from == cause.to;
   switch (cause.said) {
     case Said::others:
-      return "lengths that serve all stations tried: " + stretch + "; the best is " + whole(cause.best) +
-             " mm";
+      return alone ? "a blade of " + best + " serves all stations"
+                   : "lengths that serve the stations that they were tried on: " + stretch + "; the best, " +
+                         best + ", serves all";
     case Said::none:
       return none + mended;
     case Said::taken:
-      return "the blade's length was left open: " + whole(cause.best) + " mm was taken of " + stretch +
-             ", which serve all stations tried";
+      return "the blade's length was left open: " + best + " was taken, which serves all stations" +
+             (alone ? "" : "; " + stretch + " serve those that they were tried on");
     case Said::nearest:
       break;
   }

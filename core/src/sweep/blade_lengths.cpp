@@ -384,6 +384,7 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   if (!some) return tl::unexpected<Error>(some.error());
   const Trials trial(*some, block, planes, context);
   BladeLengths lengths;
+  lengths.stations = int(some->sections.size());
   std::vector<RowTrial>& trials = lengths.trials;
   const auto tryAll = [&](const std::set<double>& asked) -> Result<bool> {
     const std::vector<double> list(asked.begin(), asked.end());

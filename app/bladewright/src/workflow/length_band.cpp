@@ -100,9 +100,11 @@ bool LengthBand::event(QEvent* event) {
 QString restText(const RowTrial& trial) {
   switch (trial.rest) {
     case Rest::certain:
-      return LengthBand::tr("certain at all stations tried");
+      return LengthBand::tr("certain at the stations tried");
     case Rest::held:
-      return LengthBand::tr("held at all stations tried");
+      return LengthBand::tr("held at the stations tried");
+    case Rest::unknown:
+      return LengthBand::tr("not known to serve");
     default:
       return LengthBand::tr("does not serve");
   }
@@ -112,12 +114,13 @@ QString lengthsText(const BladeLengths* lengths) {
   const auto whole = [](double length) { return QString::number(std::lround(length)); };
   if (!lengths || lengths->trials.empty()) return LengthBand::tr("Lengths that serve: not known yet");
   if (!lengths->best)
-    return LengthBand::tr("No length from %1 to %2 mm serves")
+    return LengthBand::tr("No length from %1 to %2 mm is known to serve")
         .arg(whole(lengths->trials.front().length), whole(lengths->trials.back().length));
   BladeLengths::Band own{*lengths->best, *lengths->best};
   for (const BladeLengths::Band& band : lengths->bands())
     if (band.from <= *lengths->best && *lengths->best <= band.to) own = band;
-  return LengthBand::tr("%1 to %2 mm serve, best %3 mm")
+  if (own.from == own.to) return LengthBand::tr("%1 mm serves").arg(whole(*lengths->best));
+  return LengthBand::tr("%1 to %2 mm serve at %n station(s) tried, best %3 mm", nullptr, lengths->stations)
       .arg(whole(own.from), whole(own.to), whole(*lengths->best));
 }
 

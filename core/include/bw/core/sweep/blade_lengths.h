@@ -55,6 +55,10 @@ using ServesWhole = std::function<bool(RowTrial&)>;
 struct BladeLengths {
   std::vector<RowTrial> trials;               ///< ascending
   std::optional<double> best = std::nullopt;  ///< mm; none where none is known to serve
+  int stations = 0;                           ///< that each was tried on
+  bool designed = false;                      ///< the best serves when all of its design is computed
+  /// mm: what was taken in place of a best one, if that is known.
+  std::optional<double> nearest = std::nullopt;
   /// A stretch of lengths that serve alike: no length that was tried in it does otherwise.
   struct Band {
     double from = 0, to = 0;
