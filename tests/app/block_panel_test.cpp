@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "bw/core/design/variables.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
 #include "workflow/grid_fields.h"
@@ -189,6 +190,122 @@ TEST_F(BlockPanelTest, RowsAndLayersAreNumbersAndLayersAreSwitched) {
   // One that is chosen in the picture brings its layer.
   bench().select({Selection::Kind::block, -1, "column-3-row-2-layer-2", "cut-column-3-row-2-layer-2"});
   EXPECT_EQ(plan().layer(), 1);
+}
+
+TEST_F(BlockPanelTest, SizesGapsAndCountsAreExpressionsToo) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  bench().editDesign("Prepare", [](Design& design) {
+    design.variables.push_back({"width", 600, 300, 900});
+    design.variables.push_back({"blocks", 3, 1, 6});
+  });
+  const auto boundAt = [&](const std::string& place) {
+    const auto bound = bench().design().bindings.find(place);
+    return bound == bench().design().bindings.end() ? std::string() : bound->second.text;
+  };
+  const auto setVariable = [&](const char* name, double value) {
+    const Result<Design> changed = withVariables(bench().design(), {{name, value}});
+    ASSERT_TRUE(changed) << changed.error().message;
+    bench().editDesign("Change variable", [&](Design& design) { design = *changed; });
+  };
+  QUndoStack& undo = bench().document().undoStack();
+  const int before = undo.index();
+  // What it comes to is what it was: one step, which binds all three.
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, sizes", "=width"));
+  EXPECT_EQ(boundAt("/grid/sizes/columns"), "width");
+  EXPECT_EQ(undo.index(), before + 1);
+  auto* sizes = fieldOf<LengthsField>("Columns, sizes");
+  EXPECT_EQ(sizes->text(), "600");
+  EXPECT_EQ(sizes->expression(), "=width");
+  ASSERT_NO_FATAL_FAILURE(setVariable("width", 620));
+  EXPECT_EQ(grid().sizes[0], (std::vector<double>{620, 620, 620}));
+  EXPECT_EQ(sizes->text(), "620");
+  // One each, with brackets of their own.
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, sizes", "=max(width; 100), 50 cm; =width/2"));
+  EXPECT_EQ(grid().sizes[0], (std::vector<double>{620, 500, 310}));
+  EXPECT_EQ(boundAt("/grid/sizes/columns"), "");
+  EXPECT_EQ(boundAt("/grid/sizes/columns/2"), "width/2");
+  EXPECT_EQ(bench().design().stock[2].placement->origin.x(), 1120);
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, gaps", "=width/62; 0"));
+  EXPECT_EQ(grid().gaps[0], (std::vector<double>{10, 0}));
+  picture("blocks-panel-expressions");
+  // With the keyboard it shows what can be typed into; to look at it is no edit.
+  const int steps = undo.index();
+  sizes->setFocus(Qt::TabFocusReason);
+  EXPECT_EQ(sizes->text(), "=max(width; 100); 500; =width/2");
+  picture("blocks-panel-expressions-typed");
+  QTest::keyClick(sizes, Qt::Key_Return);
+  EXPECT_EQ(undo.index(), steps);
+  EXPECT_EQ(sizes->text(), "620; 500; 310");
+  // Its file holds it.
+  const Design again = parseDesign(designToJson(bench().design())).value();
+  EXPECT_EQ(again.bindings, bench().design().bindings);
+  EXPECT_EQ(again.grid, bench().design().grid);
+  // A number takes the place of one of them, and a pull of a boundary of those beside it.
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, sizes", "=width; 500; 310"));
+  EXPECT_EQ(boundAt("/grid/sizes/columns/0"), "width");
+  EXPECT_EQ(boundAt("/grid/sizes/columns/2"), "");
+  pull(0, 0, {5, 0});
+  release();
+  EXPECT_EQ(boundAt("/grid/sizes/columns/0"), "");
+  EXPECT_EQ(sizes->expression(), "");
+  undo.undo();
+  EXPECT_EQ(sizes->expression(), "=width; 500; 310");
+  // Counts follow where one size is told for all of them.
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, sizes", "=width"));
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Columns, gaps", "0"));
+  ASSERT_NO_FATAL_FAILURE(type("Columns", "=blocks"));
+  EXPECT_EQ(boundAt("/grid/columns"), "blocks");
+  EXPECT_EQ(fieldOf<NumberField>("Columns")->expression(), "blocks");
+  for (const int count : {2, 1, 4}) {
+    ASSERT_NO_FATAL_FAILURE(setVariable("blocks", count));
+    EXPECT_EQ(grid().sizes[0], std::vector<double>(std::size_t(count), 620)) << count;
+    EXPECT_EQ(fieldOf<NumberField>("Columns")->expression(), "blocks");
+    EXPECT_EQ(boundAt("/grid/sizes/columns"), "width");
+  }
+  undo.setIndex(before);
+  EXPECT_TRUE(bench().design().bindings.empty());
+  EXPECT_EQ(sizes->expression(), "");
+}
+
+TEST_F(BlockPanelTest, AWrongExpressionOfTheGridSaysWhatIsWrong) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  bench().editDesign("Prepare", [](Design& design) { design.variables.push_back({"width", 600, 300, 900}); });
+  const auto refusal = [&](TypedField* field, const QString& text) {
+    const Design design = bench().design();
+    const QString shown = field->text();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(field->refused()) << text.toStdString();
+    const std::string why = field->refusal().toStdString();
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_EQ(field->text(), shown);
+    EXPECT_EQ(bench().design(), design);
+    return why;
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  auto* sizes = fieldOf<LengthsField>("Columns, sizes");
+  ASSERT_TRUE(sizes);
+  std::string why = refusal(sizes, "=widht");
+  EXPECT_TRUE(has(why, "After its =, character 1: there is no \u201cwidht\u201d; did you mean")) << why;
+  why = refusal(sizes, "600; =width*1000; 600");
+  EXPECT_TRUE(has(why, "Length 2: This comes to 600000 mm, which is out of range")) << why;
+  why = refusal(sizes, "=width; 600");
+  EXPECT_TRUE(has(why, "there must be 3")) << why;
+  why = refusal(sizes, "=max(width; 600");
+  EXPECT_TRUE(has(why, "After its =")) << why;
+  why = refusal(fieldOf<NumberField>("Columns"), "=width/400");
+  EXPECT_TRUE(has(why, "must be a whole number")) << why;
+  why = refusal(fieldOf<NumberField>("Columns"), "=width/600");
+  EXPECT_TRUE(has(why, "a single block lies in no grid")) << why;
+  // The file of such cuts has a list of blocks, and no grid.
+  bench().editDesign("Prepare", [](Design& design) { std::swap(design.cuts[0], design.cuts[2]); });
+  ASSERT_FALSE(parseDesign(designToJson(bench().design()))->grid);
+  why = refusal(sizes, "=width");
+  EXPECT_TRUE(has(why, "no expression can stand here")) << why;
 }
 
 TEST_F(BlockPanelTest, TheStateOfEachBlockIsAWord) {

@@ -116,7 +116,8 @@ class TypedFields : public EveryFieldTest {
     const bool gaps = field.accessibleName().endsWith("gaps");
     for (const auto& [text, shown] :
          {std::pair("300; 310", "300; 310"), std::pair("30,5", "30.5"), std::pair("30 cm, 310", "300; 310"),
-          std::pair("30.5 cm", "305"), std::pair("300,5;310", "300.5; 310")}) {
+          std::pair("30.5 cm", "305"), std::pair("300,5;310", "300.5; 310"),
+          std::pair("=100 + 3; 310", "103; 310"), std::pair("=29", "29")}) {
       if (gaps && QString(shown).contains(';')) {
         expectRefused(field, text);
         continue;
@@ -127,7 +128,8 @@ class TypedFields : public EveryFieldTest {
       EXPECT_EQ(field.text(), shown);
       EXPECT_TRUE(window().sceneView().hasFocus());
     }
-    for (const char* text : {"", "abc", "1;2;3", "-5", "5 kg", "1e9", "300;", "nan"})
+    for (const char* text :
+         {"", "abc", "1;2;3", "-5", "5 kg", "1e9", "300;", "nan", "=", "=abc", "=1/0", "=-5"})
       expectRefused(field, text);
   }
 

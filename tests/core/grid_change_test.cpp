@@ -159,15 +159,30 @@ TEST(GridChange, KeyBladesStayOnTheBoundaries) {
   EXPECT_EQ(blades[2].middle, Eigen::Vector2d(300, 220));
 }
 
-TEST(GridChange, ExpressionsOfOtherCountsGo) {
+TEST(GridChange, ExpressionsOfLengthsThatGoGoWithThem) {
   const Design design =
       designOf(R"({"bladewright_design": 2, "variables": [{"name": "w", "value": 600, "min": 1, "max": 900}],
-    "sources": [{"id": "a", "surface": {"type": "formula", "x": [0, 1200], "y": [0, 800], "formula": "100"}}],
-    "grid": {"columns": 2, "sizes": {"columns": "=w", "rows": 800, "layers": "=w - 100"}}, "cuts": [{"id": "cut"}]})");
-  const Design three = with(design, 0, 3, "column-1");
-  ASSERT_EQ(three.bindings.size(), 1u);
-  EXPECT_TRUE(three.bindings.begin()->first.starts_with("/grid/sizes/layers"));
-  EXPECT_EQ(*resolved(three), three);
+    "sources": [{"id": "a", "surface": {"type": "formula", "x": [0, 1800], "y": [0, 800], "formula": "100"}}],
+    "grid": {"sizes": {"columns": ["=w", 500, "=w/2"], "rows": "=w + 200", "layers": "=w - 100"},
+             "gaps": {"columns": "=w/100"}}, "cuts": [{"id": "cut"}]})");
+  const auto placesOf = [](const Design& of) {
+    std::vector<std::string> places;
+    for (const auto& [place, bound] : of.bindings) places.push_back(place);
+    return places;
+  };
+  // One for all goes on for those that there are.
+  const Design two = with(design, 0, 2, "column-1");
+  EXPECT_EQ(placesOf(two), (std::vector<std::string>{"/grid/gaps/columns", "/grid/sizes/columns/0",
+                                                     "/grid/sizes/layers", "/grid/sizes/rows"}));
+  EXPECT_EQ(*resolved(two), two);
+  const Design rows = with(two, 1, 3, "column-1");
+  EXPECT_EQ(rows.bindings, two.bindings);
+  EXPECT_EQ(withVariables(rows, {{"w", 700}})->grid->sizes[1], (std::vector<double>{900, 900, 900}));
+  // A single column has no gaps.
+  const Design one = with(rows, 0, 1, "column-1-row-1");
+  EXPECT_EQ(placesOf(one),
+            (std::vector<std::string>{"/grid/sizes/columns/0", "/grid/sizes/layers", "/grid/sizes/rows"}));
+  EXPECT_EQ(*resolved(one), one);
 }
 
 TEST(GridChange, TooManyAreRefused) {

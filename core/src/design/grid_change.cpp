@@ -179,18 +179,28 @@ Result<void> judge(const BlockGrid& grid, std::size_t cutsEach) {
   return {};
 }
 
-/// Expressions of parts that are counted otherwise now.
+/// Whether the expression at `pointer` is of a length that `list`, which the file tells at `place`, no longer
+/// has.
+bool isGone(const std::string& pointer, const std::string& place, const std::vector<double>& list) {
+  if (!pointer.starts_with(place)) return false;
+  return list.empty() ||
+         (pointer.size() > place.size() + 1 && std::stoul(pointer.substr(place.size() + 1)) >= list.size());
+}
+
+/// Expressions of parts that are counted otherwise now, and of lengths that are gone. One that is told for
+/// all lengths of a way goes on for those that there are.
 void dropBindings(Design& design, const BlockGrid& before, const BlockGrid& grid) {
   const bool counted = before.count() != grid.count();
   std::erase_if(design.bindings, [&](const auto& bound) {
     const auto in = [&](const std::string& part) { return bound.first.starts_with(part); };
     if (counted && (in("/cuts/") || in("/stock/"))) return true;
     if (!design.grid) return in("/grid/");
-    for (std::size_t way = 0; way < 3; ++way)
-      if (before.sizes[way].size() != grid.sizes[way].size() &&
-          (in(std::string("/grid/sizes/") + kGridWays[way]) ||
-           in(std::string("/grid/gaps/") + kGridWays[way])))
+    for (std::size_t way = 0; way < 3; ++way) {
+      const std::string name = kGridWays[way];
+      if (isGone(bound.first, "/grid/sizes/" + name, grid.sizes[way]) ||
+          isGone(bound.first, "/grid/gaps/" + name, grid.gaps[way]))
         return true;
+    }
     return false;
   });
 }

@@ -12,6 +12,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
+#include "controls/told_expression.h"
 
 namespace bw::app {
 
@@ -44,15 +45,11 @@ NumberField::NumberField(const NumberRange& range, QWidget* parent)
     : TypedField(parent),
       range_(range),
       unit_(new QLabel(this)),
-      told_(new QLabel(this)),
+      told_(makeTold(*this)),
       value_(std::clamp(0.0, range.min, range.max)),
       before_(value_) {
   unit_->setObjectName("unit");
   unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  told_->setObjectName("told");
-  told_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  told_->setTextFormat(Qt::PlainText);
-  told_->hide();
   setAlignment(Qt::AlignRight);
   setUnit(range.unit);
   setText(valueText());
@@ -114,9 +111,7 @@ void NumberField::refreshUnit() {
   const int number = fontMetrics().horizontalAdvance(text()) + (words.isEmpty() ? 0 : wide + kUnitGap);
   const int room = width() - 2 * kUnitMargin - number - kUnitGap;
   told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
-  const QString shown = told_->fontMetrics().elidedText(kEquals + told, Qt::ElideRight, std::max(room, 0));
-  told_->setText(shown.startsWith(kEquals) ? shown : QString(kEquals));
-  told_->setGeometry(kUnitMargin, 0, std::max(room, 0), height());
+  placeTold(*told_, told, room);
 }
 
 bool NumberField::event(QEvent* event) {

@@ -32,10 +32,7 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
           ErrorCode::badInput,
           "no expression can stand here, because the blocks lie in a grid: its file tells what is the "
           "same for all of them");
-    std::vector<NamedNumber> numbers;
-    for (const Variable& variable : bench.design().variables)
-      numbers.push_back({variable.name, variable.value});
-    return evaluateExpression(text, numbers);
+    return valueOver(bench, text);
   };
   const auto bind = [&bench, place, field = QPointer<NumberField>(field)](
                         const std::optional<BoundNumber>& bound, const std::function<void()>& tell) {
@@ -53,6 +50,13 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
 double asBound(const Workbench& bench, const NumberPlace& place, double value, double within) {
   const std::optional<BoundNumber> bound = boundAt(bench.design(), place());
   return bound && std::abs(value - bound->value) <= within ? bound->value : value;
+}
+
+Result<double> valueOver(const Workbench& bench, const std::string& text) {
+  std::vector<NamedNumber> numbers;
+  for (const Variable& variable : bench.design().variables)
+    numbers.push_back({variable.name, variable.value});
+  return evaluateExpression(text, numbers);
 }
 
 NumberPlace placeInCut(const Workbench& bench, const std::string& key) {

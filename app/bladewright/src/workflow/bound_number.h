@@ -22,6 +22,9 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place);
 /// follow from others, rounded.
 double asBound(const Workbench& bench, const NumberPlace& place, double value, double within);
 
+/// What an expression, without its =, comes to over the variables of the design, or why it comes to nothing.
+Result<double> valueOver(const Workbench& bench, const std::string& text);
+
 /// The places in the file of a number of the cut, and of the block selected; `key` begins with a slash.
 NumberPlace placeInCut(const Workbench& bench, const std::string& key);
 NumberPlace placeInBlock(const Workbench& bench, const std::string& key);

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/grid_fields.h"
 
-#include <QRegularExpression>
+#include <QHelpEvent>
+#include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "bw/core/design/design_versions.h"
 #include "bw/core/design/grid_change.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
+#include "controls/told_expression.h"
 #include "workbench/block_layout.h"
+#include "workflow/bound_number.h"
 
 namespace bw::app {
 
@@ -17,52 +23,203 @@ namespace {
 
 constexpr double kSmallest = 1, kLargest = 1e5;  // mm, of a block
 constexpr int kDigits = 8;
+constexpr double kSame = 1e-12;    // relative: what a length and its expression may differ by
+constexpr int kEdges = 2 * 9 + 4;  // px, beside and between what a field shows
+constexpr QLatin1Char kEquals('=');
+constexpr QLatin1String kBetween("; ");
 
 QString lengthOf(double mm) { return QString::fromStdString(shortText(mm, kDigits)); }
+
+QString upper(const std::string& sentence) {
+  QString text = QString::fromStdString(sentence);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+/// The parts of a list. Within brackets nothing parts them: =max(a; b).
+QStringList partsOf(const QString& text) {
+  QStringList parts(1);
+  int brackets = 0;
+  for (int i = 0; i < text.size(); ++i) {
+    const QChar c = text[i];
+    if (c == '(') ++brackets;
+    if (c == ')') --brackets;
+    const bool comma = c == ',' && i + 1 < text.size() && text[i + 1].isSpace();
+    if (brackets <= 0 && (c == ';' || comma))
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  for (QString& part : parts) part = part.trimmed();
+  return parts;
+}
+
+bool allSame(const std::vector<double>& lengths) {
+  return std::ranges::all_of(lengths, [&](double length) { return length == lengths.front(); });
+}
+
+std::string placeOf(std::size_t index) { return "/" + std::to_string(index); }
+
+/// Those of the expressions that came to the lengths that there are.
+LengthExpressions standing(const LengthExpressions& told, const std::vector<double>& lengths) {
+  const auto is = [](double length, const BoundNumber& bound) {
+    return std::abs(length - bound.value) <= kSame * std::abs(bound.value);
+  };
+  LengthExpressions stand;
+  if (const auto all = told.find(""); all != told.end())
+    if (std::ranges::all_of(lengths, [&](double length) { return is(length, all->second); })) return {*all};
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    if (const auto one = told.find(placeOf(i)); one != told.end() && is(lengths[i], one->second))
+      stand.insert(*one);
+  return stand;
+}
+
+/// Whether the file of the design tells its grid: cuts that no grid makes are told with their blocks.
+bool tellsGrid(const Design& design) {
+  Design probe = withoutVersions(design);
+  const double columns = double(probe.grid->sizes[0].size());
+  const std::string place = "/grid/columns";
+  probe.bindings = {{place, {shortText(columns, kDigits), columns}}};
+  const Result<Design> again = resolved(probe);
+  return again && again->bindings.contains(place);
+}
+
+/// The expressions at a place of the file, and below it.
+LengthExpressions expressionsAt(const Design& design, const std::string& place) {
+  LengthExpressions found;
+  for (auto bound = design.bindings.lower_bound(place);
+       bound != design.bindings.end() && bound->first.starts_with(place); ++bound) {
+    const std::string below = bound->first.substr(place.size());
+    if (below.empty() || below.front() == '/') found.emplace(below, bound->second);
+  }
+  return found;
+}
+
+std::string sizesPlace(std::size_t way) { return std::string("/grid/sizes/") + kGridWays[way]; }
+std::string gapsPlace(std::size_t way) { return std::string("/grid/gaps/") + kGridWays[way]; }
+std::string countPlace(std::size_t way) { return std::string("/grid/") + kGridWays[way]; }
 
 }  // namespace
 
 LengthsField::LengthsField(double min, double max, QWidget* parent)
-    : TypedField(parent), min_(min), max_(max) {
+    : TypedField(parent), min_(min), max_(max), told_(makeTold(*this)) {
   setAlignment(Qt::AlignRight);
   setProperty("limits", limitsText());
+  connect(this, &QLineEdit::textChanged, this, &LengthsField::refreshTold);
 }
 
-void LengthsField::show(const std::vector<double>& lengths) {
-  const bool changed = lengths != lengths_;
+void LengthsField::show(const std::vector<double>& lengths, const LengthExpressions& expressions) {
+  const LengthExpressions stand = standing(expressions, lengths);
+  const bool changed = lengths != lengths_ || stand != expressions_;
   lengths_ = lengths;
+  expressions_ = stand;
   showValue(changed);
+  refreshTold();
+}
+
+QString LengthsField::expression() const {
+  if (expressions_.empty()) return {};
+  if (const auto all = expressions_.find(""); all != expressions_.end())
+    return kEquals + QString::fromStdString(all->second.text);
+  QStringList parts;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    const auto one = expressions_.find(placeOf(i));
+    parts << (one == expressions_.end() ? lengthOf(lengths_[i])
+                                        : kEquals + QString::fromStdString(one->second.text));
+  }
+  return parts.join(kBetween);
+}
+
+void LengthsField::refreshTold() {
+  const QString told = expression();
+  told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
+  placeTold(*told_, told.startsWith(kEquals) ? told.mid(1) : told,
+            width() - kEdges - fontMetrics().horizontalAdvance(text()));
+}
+
+bool LengthsField::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && !expression().isEmpty()) {
+    const QString tip = tr("%1\nNumbers typed here take its place.").arg(expression());
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       toolTip().isEmpty() ? tip : toolTip() + QLatin1Char('\n') + tip, this);
+    return true;
+  }
+  return TypedField::event(event);
+}
+
+void LengthsField::resizeEvent(QResizeEvent* event) {
+  TypedField::resizeEvent(event);
+  refreshTold();
+}
+
+/// What is shown is another with and without the keyboard.
+void LengthsField::focusInEvent(QFocusEvent* event) {
+  const bool told = !expressions_.empty() && !typing();
+  if (told) setText(valueText());
+  TypedField::focusInEvent(event);
+  if (told) selectAll();
+  refreshTold();
+}
+
+void LengthsField::focusOutEvent(QFocusEvent* event) {
+  TypedField::focusOutEvent(event);
+  if (!expressions_.empty() && !typing()) setText(valueText());
+  refreshTold();
+}
+
+QString LengthsField::readExpression(const QString& text, double* length) const {
+  if (!value_) return tr("A number, for no expression can stand here");
+  const Result<double> value = value_(text.toStdString());
+  if (!value) return tr("After its =, %1").arg(QString::fromStdString(value.error().message));
+  if (*value < min_ || *value > max_)
+    return tr("This comes to %1 mm, which is out of range").arg(lengthOf(*value));
+  *length = *value;
+  return {};
+}
+
+QString LengthsField::read(const QString& text, std::size_t place, double* length) const {
+  if (text.startsWith(kEquals)) return readExpression(text.mid(1).trimmed(), length);
+  // What the field shows of a length is that length, though it may have more digits.
+  if (place < lengths_.size() && text == lengthOf(lengths_[place])) {
+    *length = lengths_[place];
+    return {};
+  }
+  const Result<double> number = readTypedNumber(text.toStdString(), {"mm", min_, max_});
+  if (!number) return upper(number.error().message);
+  *length = *number;
+  return {};
 }
 
 QString LengthsField::take(const QString& text) {
-  static const QRegularExpression between(QStringLiteral(";|,\\s+"));
-  const QStringList parts = text.split(between);
-  const std::size_t count = lengths_.size();
-  if (parts.size() != 1 && std::size_t(parts.size()) != count)
+  const QStringList parts = partsOf(text);
+  const std::size_t count = lengths_.size(), typed = std::size_t(parts.size());
+  if (typed != 1 && typed != count)
     return tr("These are %1 lengths; there must be %2, or one for all").arg(parts.size()).arg(count);
-  std::vector<double> read;
-  for (const QString& part : parts) {
-    const Result<double> length = readTypedNumber(part.trimmed().toStdString(), {"mm", min_, max_});
-    if (!length) {
-      QString why = QString::fromStdString(length.error().message);
-      why[0] = why[0].toUpper();
-      return why;
-    }
-    read.push_back(*length);
+  std::vector<double> lengths(typed);
+  LengthExpressions expressions;
+  for (std::size_t i = 0; i < typed; ++i) {
+    const QString& part = parts[int(i)];
+    if (const QString why = read(part, i, &lengths[i]); !why.isEmpty())
+      return typed == 1 ? why : tr("Length %1: %2").arg(i + 1).arg(why);
+    if (part.startsWith(kEquals))
+      expressions[typed == 1 ? std::string() : placeOf(i)] = {part.mid(1).trimmed().toStdString(),
+                                                              lengths[i]};
   }
-  read.resize(count, read.front());
-  if (read == lengths_) return {};
-  lengths_ = read;
-  emit edited(read);
+  lengths.resize(count, lengths.front());
+  if (lengths == lengths_ && expressions == expressions_) return {};
+  lengths_ = lengths;
+  expressions_ = expressions;
+  emit edited(lengths, expressions);
   return {};
 }
 
 QString LengthsField::valueText() const {
   if (lengths_.empty()) return {};
-  const bool same = std::ranges::all_of(lengths_, [&](double length) { return length == lengths_.front(); });
+  if (hasFocus() && !expressions_.empty()) return expression();
+  if (allSame(lengths_)) return lengthOf(lengths_.front());
   QStringList parts;
   for (const double length : lengths_) parts << lengthOf(length);
-  return same ? parts.front() : parts.join(QStringLiteral("; "));
+  return parts.join(kBetween);
 }
 
 QString LengthsField::limitsText() const {
@@ -78,56 +235,97 @@ GridFields::GridFields(Workbench& bench, FormColumn* column, QObject* parent)
        {tr("Layers"), tr("Blocks on top of each other along Z")}}};
   for (std::size_t way = 0; way < 3; ++way) {
     const auto& [name, tip] = ways[way];
-    counts_[way] = column->add(name, new NumberField({1, BlockGrid::kMost, 0, 1, {}}), tip);
-    connect(counts_[way], &NumberField::edited, this,
-            [this, way](double count) { changeCount(way, int(count)); });
+    addCount(way, name, tip, column);
     const auto addLengths = [&](const QString& label, const QString& about, double least, double most,
-                                const QString& step, auto member) {
+                                const QString& step, const std::string& place, auto member) {
       auto* field = column->add(label, new LengthsField(least, most), about);
+      field->setExpressions([this](const std::string& text) { return value(text); });
       connect(field, &LengthsField::edited, this,
-              [this, way, step, member](const std::vector<double>& lengths) {
-                change(step, [&](BlockGrid& grid) { (grid.*member)[way] = lengths; });
+              [this, way, step, place, member](const std::vector<double>& lengths,
+                                               const LengthExpressions& expressions) {
+                change(step, place, expressions, [&](BlockGrid& grid) { (grid.*member)[way] = lengths; });
               });
       return field;
     };
     sizes_[way] = addLengths(tr("%1, sizes").arg(name), tr("mm, of each of them"), kSmallest, kLargest,
-                             tr("Resize blocks"), &BlockGrid::sizes);
+                             tr("Resize blocks"), sizesPlace(way), &BlockGrid::sizes);
     gaps_[way] = addLengths(tr("%1, gaps").arg(name), tr("mm, between neighbours"), 0, BlockGrid::kMostGap,
-                            tr("Change gaps"), &BlockGrid::gaps);
+                            tr("Change gaps"), gapsPlace(way), &BlockGrid::gaps);
   }
   listed_ =
       column->addWide(makeNote(tr("The blocks of this design are a list and lie in no grid; undo, or "
                                   "its file, brings one back.")));
 }
 
-void GridFields::changeCount(std::size_t way, int count) {
-  // A block that lies around its surface is shared by those that take its place.
-  const bool around = !bench_.design().grid && !bench_.block().placement;
-  change(tr("Change number of blocks"), [&](BlockGrid& grid) { grid = withCount(grid, way, count, around); });
+void GridFields::addCount(std::size_t way, const QString& name, const QString& tip, FormColumn* column) {
+  NumberField* field = column->add(name, new NumberField({1, BlockGrid::kMost, 0, 1, {}}), tip);
+  counts_[way] = field;
+  connect(field, &NumberField::edited, this,
+          [this, way](double count) { changeCount(way, int(count), std::nullopt); });
+  const auto counted = [this, way](const std::string& text) -> Result<double> {
+    const Result<double> count = value(text);
+    const std::optional<BlockGrid> now = gridOf(bench_);
+    if (count && *count == 1 && now && withCount(*now, way, 1, false).count() == 1)
+      return fail(ErrorCode::badInput,
+                  "this comes to 1, and a single block lies in no grid that could keep the expression");
+    return count;
+  };
+  // The step that binds it is that of the grid, also where the count stays.
+  const auto bind = [this, way, field](const std::optional<BoundNumber>& bound,
+                                       const std::function<void()>&) {
+    changeCount(way, int(field->value()), bound);
+  };
+  field->setExpressions({counted, bind});
 }
 
-void GridFields::change(const QString& text, const std::function<void(BlockGrid&)>& change) {
+Result<double> GridFields::value(const std::string& text) const {
+  if (bench_.design().grid && !tellsGrid(bench_.design()))
+    return fail(ErrorCode::badInput,
+                "no expression can stand here, because the cuts differ from block to block so that the "
+                "file of the design tells its blocks one by one");
+  return valueOver(bench_, text);
+}
+
+void GridFields::changeCount(std::size_t way, int count, const std::optional<BoundNumber>& bound) {
+  // A block that lies around its surface is shared by those that take its place.
+  const bool around = !bench_.design().grid && !bench_.block().placement;
+  LengthExpressions expressions;
+  if (bound) expressions[""] = *bound;
+  change(tr("Change number of blocks"), countPlace(way), expressions,
+         [&](BlockGrid& grid) { grid = withCount(grid, way, count, around); });
+}
+
+void GridFields::change(const QString& text, const std::string& place, const LengthExpressions& expressions,
+                        const std::function<void(BlockGrid&)>& change) {
   const std::optional<BlockGrid> before = gridOf(bench_);
   if (!before) return refresh();
   BlockGrid next = *before;
   change(next);
-  if (next != *before && !layOut(bench_, text, bench_.design(), *before, next)) refresh();
+  Design from = bench_.design();
+  for (const auto& [below, bound] : expressionsAt(from, place)) from.bindings.erase(place + below);
+  for (const auto& [below, bound] : expressions) from.bindings[place + below] = bound;
+  if (next == *before && from.bindings == bench_.design().bindings) return;
+  if (!layOut(bench_, text, from, *before, next)) refresh();
 }
 
 void GridFields::refresh() {
+  const Design& design = bench_.design();
   const std::optional<BlockGrid> now = gridOf(bench_);
-  const bool listed = bench_.design().stock.size() > 1 && !bench_.design().grid;
+  const bool listed = design.stock.size() > 1 && !design.grid;
   listed_->setVisible(listed);
   for (std::size_t way = 0; way < 3; ++way) {
     setLineVisible(counts_[way], !listed);
     counts_[way]->setEnabled(now.has_value());
     const std::size_t count = now ? now->sizes[way].size() : 1;
     counts_[way]->show(double(count));
+    const auto bound = design.grid ? design.bindings.find(countPlace(way)) : design.bindings.end();
+    counts_[way]->showExpression(bound == design.bindings.end() ? std::nullopt
+                                                                : std::optional(bound->second));
     setLineVisible(sizes_[way], !listed && count > 1);
     setLineVisible(gaps_[way], !listed && count > 1);
     if (!now) continue;
-    sizes_[way]->show(now->sizes[way]);
-    gaps_[way]->show(now->gaps[way]);
+    sizes_[way]->show(now->sizes[way], expressionsAt(design, sizesPlace(way)));
+    gaps_[way]->show(now->gaps[way], expressionsAt(design, gapsPlace(way)));
   }
 }
 

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "controls/told_expression.h"
+
+#include <algorithm>
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kMargin = 9;  // px, between it and the edge of the field
+constexpr QLatin1Char kEquals('=');
+
+}  // namespace
+
+QLabel* makeTold(QWidget& field) {
+  auto* told = new QLabel(&field);
+  told->setObjectName("told");
+  told->setAttribute(Qt::WA_TransparentForMouseEvents);
+  told->setTextFormat(Qt::PlainText);
+  told->hide();
+  return told;
+}
+
+void placeTold(QLabel& told, const QString& expression, int room) {
+  const int width = std::max(room, 0);
+  const QString shown = told.fontMetrics().elidedText(kEquals + expression, Qt::ElideRight, width);
+  told.setText(shown.startsWith(kEquals) ? shown : QString(kEquals));
+  told.setGeometry(kMargin, 0, width, told.parentWidget()->height());
+}
+
+}  // namespace bw::app

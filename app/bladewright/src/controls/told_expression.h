@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What a field shows of the expression that its number stands for while nobody types into it.
+#pragma once
+
+#include <QLabel>
+
+namespace bw::app {
+
+/// A label at the left end of `field`, hidden as yet.
+QLabel* makeTold(QWidget& field);
+/// Puts "=expression" into `room` px, shortened where it is longer.
+void placeTold(QLabel& told, const QString& expression, int room);
+
+}  // namespace bw::app
