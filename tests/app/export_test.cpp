@@ -74,6 +74,23 @@ class Exports : public WindowTest {
   int asked_ = 0;
 };
 
+TEST_F(Exports, LeaveWhatIsStillToBeAddedToTheResult) {
+  openPanel();
+  const auto shown = [this] { return bench().shownCut(); };
+  ASSERT_FALSE(shown()->lengths.value) << "the result is shown before all is known of it";
+  // Before anything is added, and once more while it is.
+  bench().exportPrograms(path("first"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
+  EXPECT_FALSE(shown()->lengths.value);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown()->run.value || shown()->lengths.value; }, kPatience));
+  bench().exportAll(path("second"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
+  ASSERT_TRUE(fs::exists(path("second") / "report.json"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return shown()->run.value && shown()->lengths.value && shown()->margins.value; }, kPatience));
+  EXPECT_TRUE(bench().current());
+}
+
 TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
   openPanel();
   ASSERT_NO_FATAL_FAILURE(typeTolerance("0.5"));

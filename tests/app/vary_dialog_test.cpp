@@ -3,7 +3,12 @@
 //
 // A variable over a range, from the button below the variables to the value that is taken over.
 #include <QClipboard>
+#include <QPointer>
 
+#include <csignal>
+
+#include "bw/pipeline/exit_status.h"
+#include "window/desktop.h"
 #include "window_fixture.h"
 #include "workflow/vary_dialog.h"
 
@@ -117,6 +122,47 @@ TEST_F(Vary, IsStoppedWithWhatItHasAndLeavesTheDesignAsItIs) {
   dialog_->close();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().runner().busy(); }, kPatience));
   dialog_ = nullptr;
+}
+
+/// The program goes on until `end` ends it, as its main function does, while the dialog computes.
+class VaryEnds : public Vary {
+ protected:
+  int runUntil(const std::function<void()>& end) {
+    type(2, QString::number(pipeline::VaryRange::kMost));
+    button(*dialog_, "Compute")->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog_->table().rowCount() > 0; }, kPatience));
+    EXPECT_TRUE(dialog_->computing());
+    EXPECT_LT(dialog_->table().rowCount(), pipeline::VaryRange::kMost / 2);
+    left_ = dialog_;
+    dialog_ = nullptr;
+    QTimer::singleShot(0, end);
+    return QApplication::exec();
+  }
+  /// What main does then.
+  void destroy() {
+    QElapsedTimer clock;
+    clock.start();
+    window_.reset();
+    EXPECT_LT(clock.elapsed(), kPatience / 4) << "it is not waited for all of the values";
+    EXPECT_FALSE(left_);
+  }
+  QPointer<VaryDialog> left_;
+};
+
+TEST_F(VaryEnds, BySignal) {
+  {
+    const EndOfSession ending(window());
+    EXPECT_EQ(runUntil([] { ::raise(SIGTERM); }), pipeline::kInterrupted);
+  }
+  EXPECT_TRUE(bench().runner().busy()) << "what is computed does not hold up the end";
+  destroy();
+}
+
+TEST_F(VaryEnds, WithTheWindow) {
+  window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  EXPECT_EQ(runUntil([this] { EXPECT_TRUE(window().close()); }), 0);
+  EXPECT_FALSE(left_) << "it goes with the window that it belongs to";
+  destroy();
 }
 
 TEST_F(Vary, RefusesARangeThatIsNone) {
