@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The tree of objects: what is shown, what is locked, and how it is called.
+#include "bw/core/design/variables.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
 
@@ -108,6 +109,98 @@ TEST_F(ObjectTreeTest, TheEyeLeavesThingsOutOfThePicture) {
   EXPECT_FALSE(bench().document().undoStack().canUndo());
   ASSERT_NO_FATAL_FAILURE(open("bump"));
   EXPECT_TRUE(sees(scene::Kind::block, {0, -1, -1, -1})) << "another design is seen whole";
+}
+
+TEST_F(ObjectTreeTest, ACreaseIsSeenWithWhatItIsTheEdgeOf) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  const scene::ItemId crease{0, 0, 1};
+  const auto there = [&] {
+    return std::ranges::any_of(window().sceneView().content().items, [&](const scene::Item& item) {
+      return item.kind() == scene::Kind::crease && item.id == crease;
+    });
+  };
+  ASSERT_TRUE(QTest::qWaitFor(there, kPatience));
+  ASSERT_TRUE(bench().shown()->blocks[0].part.value);
+  EXPECT_TRUE(sees(scene::Kind::crease, crease));
+  // The foam that is left has that edge, whatever is seen of the cuts.
+  bench().setHidden({Kind::cut, "north"}, true);
+  EXPECT_TRUE(sees(scene::Kind::crease, crease));
+  picture("crease-of-the-part");
+  // Without it an edge of one surface alone would tell of a surface that is not there.
+  const auto showPart = [this](bool on) {
+    scene::Style style = window().mapBar().style();
+    style[scene::Kind::part].visible = on;
+    window().mapBar().setStyle(style);
+    emit window().mapBar().styleEdited(style);
+  };
+  showPart(false);
+  EXPECT_FALSE(sees(scene::Kind::crease, crease));
+  picture("crease-hidden");
+  bench().setHidden({Kind::cut, "north"}, false);
+  EXPECT_TRUE(sees(scene::Kind::crease, crease)) << "both surfaces meet in it";
+  picture("crease-of-surfaces");
+  bench().setHidden({Kind::block, "block"}, true);
+  EXPECT_FALSE(sees(scene::Kind::crease, crease));
+  showPart(true);
+  EXPECT_FALSE(sees(scene::Kind::crease, crease));
+  // While a hand moves the surface no foam is left to be seen: it follows where both surfaces are.
+  bench().setHidden({Kind::block, "block"}, false);
+  ASSERT_TRUE(settle());
+  const auto linesNow = [&] {
+    std::vector<scene::Polyline> lines;
+    for (const scene::Item& item : window().sceneView().content().items)
+      if (const auto* creases = std::get_if<scene::Creases>(&item.data)) {
+        EXPECT_TRUE(creases->beyond.empty() || !bench().sketch()) << "it is not measured";
+        lines = creases->within;
+      }
+    return lines;
+  };
+  const auto pull = [this](double by, bool live) {
+    const Design& design = bench().design();
+    const Variable& variable = design.variables.front();
+    Design next = withVariables(design, {{variable.name, variable.value + by}}).value();
+    bench().editDesign(
+        "Pull", [&](Design& changed) { changed = next; }, 7, live);
+  };
+  const auto sketched = [&](double by) {
+    const pipeline::Sketch* before = bench().sketch();
+    pull(by, true);
+    return QTest::qWaitFor([&] { return bench().sketch() && bench().sketch() != before; }, kPatience);
+  };
+  ASSERT_TRUE(sketched(2));
+  const auto first = linesNow();
+  ASSERT_FALSE(first.empty());
+  EXPECT_LT(window().sceneView().sceneStyle()[scene::Kind::crease].opacity, 1) << "pale";
+  picture("crease-follows");
+  ASSERT_TRUE(sketched(2));
+  EXPECT_NE(linesNow(), first);
+  EXPECT_TRUE(sees(scene::Kind::crease, crease));
+  bench().setHidden({Kind::cut, "north"}, true);
+  EXPECT_FALSE(sees(scene::Kind::crease, crease));
+  bench().setHidden({Kind::cut, "north"}, false);
+  const auto last = linesNow();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(window().sceneView().sceneStyle()[scene::Kind::crease].opacity, 1);
+  EXPECT_TRUE(sees(scene::Kind::crease, crease));
+  // It lay where the edge is then found to be.
+  std::vector<scene::Polyline> found;
+  for (const Crease& one : bench().shown()->blocks[0].together.value->creases)
+    found.insert(found.end(), one.curves.begin(), one.curves.end());
+  ASSERT_FALSE(found.empty());
+  double length = 0, farthest = 0;
+  for (const scene::Polyline& piece : last) {
+    length += (piece.back() - piece.front()).norm();
+    double nearest = 1e9;
+    for (const scene::Polyline& curve : found)
+      for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+        const Eigen::Vector3d way = curve[i + 1] - curve[i], to = piece.front() - curve[i];
+        const double share = std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (to - share * way).norm());
+      }
+    farthest = std::max(farthest, nearest);
+  }
+  EXPECT_LT(farthest, 2);
+  EXPECT_NEAR(length, bench().shown()->blocks[0].together.value->creases.front().length, 0.02 * length);
 }
 
 TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {

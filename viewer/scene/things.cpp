@@ -147,7 +147,7 @@ Things::Things(Content& content) {
     if (const auto* part = std::get_if<FoamPart>(&item.data))
       stockOf(*this, item.id.block).part = &part->mesh;
     if (const auto* creases = std::get_if<Creases>(&item.data))
-      stockOf(*this, item.id.block).creases = creases;
+      stockOf(*this, item.id.block).creases[item.id] = creases;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;
     if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
       Row& row = rowOf(*this, item.id);

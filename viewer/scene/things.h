@@ -48,9 +48,9 @@ struct Row {
 struct Stock {
   ItemId id;
   const Box* box = nullptr;
-  std::map<int, const Travel*> travels;  ///< of its cuts, by their number
-  const TriangleMesh* part = nullptr;    ///< what is left of it
-  const Creases* creases = nullptr;      ///< between its cuts
+  std::map<int, const Travel*> travels;      ///< of its cuts, by their number
+  const TriangleMesh* part = nullptr;        ///< what is left of it
+  std::map<ItemId, const Creases*> creases;  ///< between its cuts
   std::vector<const Row*> rows;
   TriangleMesh cuts;  ///< of its rows together
 };

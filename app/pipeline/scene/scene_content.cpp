@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bw/core/parts/crease.h"
+#include "crossings.h"
 
 namespace bw::pipeline {
 
@@ -35,27 +36,53 @@ std::vector<Eigen::Vector3d> leftOf(std::vector<Eigen::Vector3d> curve, std::spa
   return {curve.begin() + std::ptrdiff_t(from), curve.begin() + std::ptrdiff_t(to)};
 }
 
-/// The creases of a block, told apart by whether they are as far from those designed as the tolerance lets
-/// them; a stretch that no crease designed is near to is beyond.
-scene::Creases creasesOf(const CutsTogether& together, double tolerance) {
-  scene::Creases creases;
-  for (const Crease& crease : together.creases)
-    for (std::size_t i = 0; i < crease.curves.size(); ++i) {
-      const Polyline& curve = crease.curves[i];
-      const auto good = [&](std::size_t k) {
-        return i < crease.off.size() && k < crease.off[i].size() && crease.off[i][k] &&
-               *crease.off[i][k] <= tolerance;
-      };
-      std::optional<bool> within;
-      for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-        const bool now = good(k) && good(k + 1);
-        std::vector<scene::Polyline>& lines = now ? creases.within : creases.beyond;
-        if (within != now) lines.push_back({curve[k]});
-        within = now;
-        lines.back().push_back(curve[k + 1]);
-      }
+/// A crease, told apart by whether it is as far from that designed as the tolerance lets it; a stretch that
+/// no crease designed is near to is beyond.
+scene::Creases linesOf(const Crease& crease, double tolerance) {
+  scene::Creases lines;
+  for (std::size_t i = 0; i < crease.curves.size(); ++i) {
+    const Polyline& curve = crease.curves[i];
+    const auto good = [&](std::size_t k) {
+      return i < crease.off.size() && k < crease.off[i].size() && crease.off[i][k] &&
+             *crease.off[i][k] <= tolerance;
+    };
+    std::optional<bool> within;
+    for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+      const bool now = good(k) && good(k + 1);
+      std::vector<scene::Polyline>& those = now ? lines.within : lines.beyond;
+      if (within != now) those.push_back({curve[k]});
+      within = now;
+      those.back().push_back(curve[k + 1]);
     }
-  return creases;
+  }
+  return lines;
+}
+
+/// Where the cut surfaces of a block cross while a hand moves them: not measured, and whole, as these are.
+/// Of two that are as they were `before`, nothing.
+void addCrossings(scene::Content& content, int block, const std::vector<CutSketch>& cuts,
+                  const std::vector<CutSketch>* before) {
+  std::vector<TriangleMesh> meshes, former;
+  const auto meshOf = [](std::vector<TriangleMesh>& made, const std::vector<CutSketch>& of, std::size_t i) {
+    made.resize(of.size());
+    if (made[i].triangles.empty()) made[i] = of[i].look->cut.triangles();
+    return &made[i];
+  };
+  for (std::size_t a = 0; a < cuts.size(); ++a)
+    for (std::size_t b = a + 1; b < cuts.size(); ++b) {
+      const auto same = [&](std::size_t i) {
+        return before && (*before)[i].look == cuts[i].look && (*before)[i].setup == cuts[i].setup;
+      };
+      if (same(a) && same(b)) continue;
+      scene::Creases lines{
+          crossings(*meshOf(meshes, cuts, a), *meshOf(meshes, cuts, b), cuts[a].setup->block), {}};
+      // None is told where there was one.
+      const bool told = !lines.within.empty() ||
+                        (before && !crossings(*meshOf(former, *before, a), *meshOf(former, *before, b),
+                                              (*before)[a].setup->block)
+                                        .empty());
+      if (told) content.add({block, int(a), int(b)}, std::move(lines));
+    }
 }
 
 void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, const Sweep& sweep,
@@ -103,6 +130,8 @@ scene::Content contentOf(const Sketch& sketch, const Sketch* before) {
     if (!was || was->look != cut.look)
       addCut(content, {b, c, 0}, cut.look->cut, *cut.sweep, sketch.design.process.tolerance);
   });
+  for (std::size_t b = 0; b < sketch.blocks.size(); ++b)
+    addCrossings(content, int(b), sketch.blocks[b], before ? &before->blocks[b] : nullptr);
   return content;
 }
 
@@ -142,8 +171,10 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       if (const auto& own = block.cuts[std::size_t(c)].setup)
         content.add({b, c}, scene::Travel{own->planes.direction()});
     if (block.part.value && block.cuts.size() > 1) content.add({b}, scene::FoamPart{block.part.value->mesh});
-    if (block.together.value && !block.together.value->creases.empty())
-      content.add({b}, creasesOf(*block.together.value, evaluation.design.process.tolerance));
+    if (block.together.value)
+      for (const Crease& crease : block.together.value->creases)
+        content.add({b, int(crease.first), int(crease.second)},
+                    linesOf(crease, evaluation.design.process.tolerance));
     for (int c = 0; c < int(block.cuts.size()); ++c) {
       const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();
       if (!result) continue;

@@ -142,16 +142,29 @@ BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
 void BlockActors::setContent(const Stock* stock) {
   stock_ = stock;
   valid_ = false;
+  creases_.clear();
   arrow_.setContent(stock);
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
   if (stock->part) shareMesh(part_.data(), stock->part->points, stock->part->normals, stock->part->triangles);
-  if (stock->creases) {
-    crease_.setLines(stock->creases->within);
-    creaseOff_.setLines(stock->creases->beyond);
-  }
   for (Part* part : {&back_, &front_}) part->setPolygons(facesOf(*stock->box));
   edges_.setSegments(edgesOf(*stock->box));
+}
+
+void BlockActors::showCreases(const Style& style) {
+  std::vector<const Creases*> seen;
+  if (stock_ && stock_->box)
+    for (const auto& [id, creases] : stock_->creases)
+      if (style.of(Kind::crease, id).visible) seen.push_back(creases);
+  if (seen == creases_) return;
+  creases_ = std::move(seen);
+  std::vector<Polyline> within, beyond;
+  for (const Creases* creases : creases_) {
+    within.insert(within.end(), creases->within.begin(), creases->within.end());
+    beyond.insert(beyond.end(), creases->beyond.begin(), creases->beyond.end());
+  }
+  crease_.setLines(within);
+  creaseOff_.setLines(beyond);
 }
 
 void BlockActors::rebuildCap(double diagonal) {
@@ -186,10 +199,11 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
   part_.setVisible(stock_ && stock_->part && style.of(Kind::part, stock_->id).visible);
   part_.setColor(colors.foam);
   part_.setFade(keep, background);
+  showCreases(style);
   for (Part* part : {&crease_, &creaseOff_}) {
-    part->setVisible(stock_ && stock_->creases && style.of(Kind::crease, stock_->id).visible);
+    part->setVisible(!creases_.empty());
     part->setLine(part == &crease_ ? kLineOverSurface : theme(false).error, kCreaseWidth * px);
-    part->setFade(keep, background);
+    part->setFade(keep * std::clamp(style[Kind::crease].opacity, 0.0, 1.0), background);
   }
 
   if (!valid_ || section_ != style.section) {

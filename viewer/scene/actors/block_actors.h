@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "scene/render/layers.h"
 #include "scene/things.h"
@@ -53,12 +54,15 @@ class BlockActors {
 
  private:
   void rebuildCap(double diagonal);
+  /// Draws the creases that are seen.
+  void showCreases(const Style& style);
 
   Part back_, front_, edges_, part_, crease_, creaseOff_, fill_, hatch_, outline_, cut_;
   TravelArrow arrow_;
   const Stock* stock_ = nullptr;
   std::optional<SectionPlane> section_;  ///< that the cap was made for
   bool valid_ = false;
+  std::vector<const Creases*> creases_;  ///< that are drawn
 };
 
 }  // namespace bw::scene

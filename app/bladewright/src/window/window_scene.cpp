@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <vector>
 
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
@@ -13,6 +14,12 @@
 #include "window/main_window.h"
 
 namespace bw::app {
+
+namespace {
+
+constexpr double kUnmeasured = 0.6;  ///< as what is out of date
+
+}  // namespace
 
 scene::Content MainWindow::sceneContent() {
   if (const pipeline::Sketch* sketch = bench_.sketch()) return pipeline::sceneContent(*sketch);
@@ -133,7 +140,17 @@ void MainWindow::hideObjects(scene::Style& style) const {
   for (int b = 0; b < int(shown->blocks.size()); ++b) {
     const pipeline::BlockEvaluation& own = shown->blocks[std::size_t(b)];
     const bool all = bench_.hidden({Object::Kind::block, own.id});
-    if (all) hide({b}, {block, part, crease});
+    if (all) hide({b}, {block, part});
+    // An edge of what is left of the block is seen with that, else with both surfaces that meet in it.
+    const bool ofPart =
+        !bench_.sketch() && own.part.value && !own.part.value->mesh.triangles.empty() && style[part].visible;
+    std::vector<char> apart;
+    for (const pipeline::CutEvaluation& cut : own.cuts)
+      apart.push_back(all || (!ofPart && bench_.hidden({Object::Kind::cut, cut.id})));
+    if (std::ranges::count(apart, 1) > 0)
+      for (std::size_t c = 0; c < apart.size(); ++c)
+        for (std::size_t d = c + 1; d < apart.size(); ++d)
+          if (apart[c] || apart[d]) hide({b, int(c), int(d)}, {crease});
     for (int c = 0; c < int(own.cuts.size()); ++c) {
       const std::string& id = own.cuts[std::size_t(c)].id;
       const auto there = std::ranges::find(bench_.design().cuts, id, &Cut::id);
@@ -162,6 +179,8 @@ void MainWindow::refreshStyle() {
   if (bench_.moving()) style.movingBlade = bench_.bladeAt(bench_.playTime());
   style.section = sectionPlane();
   style.marker = marker_;
+  // Where surfaces that follow a hand meet is not measured.
+  if (bench_.sketch()) style[scene::Kind::crease].opacity = kUnmeasured;
   hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);

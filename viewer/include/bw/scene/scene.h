@@ -65,7 +65,8 @@ struct FoamPart {
   TriangleMesh mesh;
 };
 
-/// Where cut surfaces of the block of that id meet: as designed, and farther from there than it may be.
+/// Where two cut surfaces of a block meet, by the block, the one as `cut` and the other as `strip` of its id:
+/// as designed, or not measured, and farther from there than it may be.
 struct Creases {
   std::vector<Polyline> within, beyond;
 };
