@@ -23,6 +23,7 @@ class VersionsTest : public WindowTest {
   VersionList& list() { return panel().list(); }
   view::SceneView& now() { return window().sceneView(); }
   view::SceneView& then() { return *window().besideView().other(); }
+  view::SceneView& legend() { return *window().besideView().legend(); }
 
   /// By the key, a name, Enter.
   void nameVersion(const QString& text) {
@@ -201,7 +202,11 @@ TEST_F(VersionsTest, OneStandsBesideThePresentUnderOneLegend) {
   EXPECT_EQ(then().legendRange(), now().legendRange());
   EXPECT_EQ(then().sceneStyle().rangeMax, now().sceneStyle().rangeMax);
   EXPECT_FALSE(then().sceneStyle().legend);
-  EXPECT_TRUE(now().sceneStyle().legend);
+  EXPECT_FALSE(now().sceneStyle().legend) << "it would cover a part of it";
+  EXPECT_TRUE(legend().isVisible());
+  EXPECT_TRUE(QRectF(legend().rect()).contains(legend().legendRect())) << "it is seen whole";
+  EXPECT_FALSE(legend().legendRect().isEmpty());
+  EXPECT_EQ(legend().legendRange(), now().legendRange());
   EXPECT_TRUE(same(then().camera(), now().camera()));
   QTest::qWait(300);
   picture("versions-compared");
@@ -253,6 +258,8 @@ TEST_F(VersionsTest, OneStandsBesideThePresentUnderOneLegend) {
   bench().editDesign("Remove", [](Design& design) { design = *withoutVersion(design, "deeper"); });
   EXPECT_EQ(window().comparison().beside(), Beside{});
   EXPECT_FALSE(then().isVisible());
+  EXPECT_FALSE(legend().isVisible());
+  EXPECT_TRUE(now().sceneStyle().legend) << "alone it has its own again";
   EXPECT_EQ(window().mapBar().comparison().currentIndex(), 0);
   // Another design begins without.
   ASSERT_NO_FATAL_FAILURE(compareWith(1));
@@ -343,6 +350,7 @@ TEST_F(VersionsTest, TheSmallestWindowHasRoomForBoth) {
   EXPECT_EQ(window().size(), QSize(960, 600));
   EXPECT_GE(then().width(), 160);
   EXPECT_GE(now().width(), 160);
+  EXPECT_FALSE(legend().isVisible()) << "there is no room for it beside both";
   picture("versions-small");
 }
 

@@ -17,6 +17,9 @@ namespace {
 
 using scene::Kind;
 
+constexpr int kLegendWidth = 236;   ///< of the widest legend, with air; too narrow for an orientation cube
+constexpr int kLeastPicture = 240;  ///< that the legend leaves each of the two
+
 /// A name that is shortened to the width there is.
 class Head : public QLabel {
  public:
@@ -51,6 +54,14 @@ scene::Content targetOf(const scene::Content& content) {
   return target;
 }
 
+/// What the legend is of.
+scene::Content cutsOf(const scene::Content& content) {
+  scene::Content cuts;
+  for (const scene::Item& item : content.items)
+    if (item.kind() == Kind::cut) cuts.items.push_back(item);
+  return cuts;
+}
+
 }  // namespace
 
 BesideView::BesideView(const Comparison& comparison, view::SceneView& present, QWidget* parent)
@@ -63,7 +74,7 @@ BesideView::BesideView(const Comparison& comparison, view::SceneView& present, Q
   line_->setObjectName("vline");
   line_->hide();
   grid_->addWidget(then_, 0, 0);
-  grid_->addWidget(now_, 0, 2);
+  grid_->addWidget(now_, 0, 2, 1, 2);
   grid_->addWidget(line_, 0, 1, 2, 1);
   grid_->addWidget(&present, 1, 2);
   grid_->setRowStretch(1, 1);
@@ -83,6 +94,50 @@ void BesideView::makeOther() {
     following_ = false;
   });
   connect(other_, &view::SceneView::hovered, this, &BesideView::hovered);
+  legend_ = new view::SceneView(this);
+  legend_->setAccessibleName(tr("Legend of both pictures"));
+  legend_->setFocusPolicy(Qt::NoFocus);
+  legend_->setFixedWidth(kLegendWidth);
+  legend_->hide();
+  grid_->addWidget(legend_, 1, 3);
+  connect(legend_, &view::SceneView::legendActivated, this, &BesideView::legendActivated);
+}
+
+void BesideView::placeLegend() {
+  if (!legend_) return;
+  const bool has = compared() && style_.legend && present_.legendRange();
+  const bool room = width() >= 2 * kLeastPicture + kLegendWidth;
+  legend_->setVisible(has && room);
+  if (!has || !room) return;
+  scene::Style legend = present_.sceneStyle();
+  legend.legend = true;
+  legend.showGrid = legend.isolines = false;
+  // What is seen gives the numbers, though nothing of it is drawn here.
+  legend[Kind::cut].opacity = 0;
+  legend.selected = {};
+  legend.playhead = -1;
+  legend.movingBlade.clear();
+  legend.section.reset();
+  legend.marker.reset();
+  legend.handles = {};
+  legend.chooseFaces = false;
+  legend_->setStyle(legend);
+}
+
+void BesideView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeLegend();
+}
+
+QImage BesideView::picture(const QSize& pixels, double pixelRatio) {
+  const scene::Style shown = present_.sceneStyle();
+  if (shown.legend == style_.legend) return present_.picture(pixels, pixelRatio);
+  scene::Style whole = shown;
+  whole.legend = style_.legend;
+  present_.setStyle(whole);
+  QImage image = present_.picture(pixels, pixelRatio);
+  present_.setStyle(shown);
+  return image;
 }
 
 void BesideView::follow() {
@@ -141,16 +196,20 @@ void BesideView::refresh() {
   other_->setVisible(compared());
   other_->setCamera(present_.camera());
   following_ = false;
+  legend_->setContent(compared() ? cutsOf(present_.content()) : scene::Content());
+  placeLegend();
   // Once both have their new widths.
   if (opened) QTimer::singleShot(0, &present_, [this] { present_.fitWork(false); });
 }
 
 void BesideView::setContent(const scene::Content& content) {
   present_.setContent(content);
+  if (legend_ && compared()) legend_->setContent(cutsOf(content));
   followContent();
 }
 
 void BesideView::replace(scene::Content content) {
+  if (legend_ && compared()) legend_->replace(cutsOf(content));
   present_.replace(std::move(content));
   followContent();
 }
@@ -179,10 +238,12 @@ std::optional<std::pair<double, double>> BesideView::rangeOfBoth(const scene::St
 }
 
 void BesideView::setStyle(const scene::Style& style) {
+  style_ = style;
   if (!other_ || !compared()) return present_.setStyle(style);
   const Beside::What what = comparison_.beside().what;
   scene::Style now = style, then = style;
   then.items.clear();
+  then[Kind::crease].opacity = 1;  // no hand moves it
   then.legend = false;
   then.selected = {};
   then.playhead = -1;
@@ -199,8 +260,10 @@ void BesideView::setStyle(const scene::Style& style) {
     now.rangeMin = then.rangeMin = range->first;
     now.rangeMax = then.rangeMax = range->second;
   }
+  now.legend = false;
   present_.setStyle(now);
   other_->setStyle(then);
+  placeLegend();
 }
 
 }  // namespace bw::app

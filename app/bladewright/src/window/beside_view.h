@@ -17,7 +17,7 @@
 namespace bw::app {
 
 /// The picture, and where something is compared with it a second one at its left: both are looked at from the
-/// same place, and one legend tells the colours of both.
+/// same place, and one legend at the right of both tells their colours, where there is room for it.
 class BesideView : public QWidget {
   Q_OBJECT
 
@@ -26,6 +26,8 @@ class BesideView : public QWidget {
 
   /// The second picture; null before the first comparison.
   view::SceneView* other() { return other_; }
+  /// Where the legend stands while something is compared; null before the first comparison.
+  view::SceneView* legend() { return legend_; }
   bool compared() const { return comparison_.beside().what != Beside::What::nothing; }
   /// The names over the two pictures.
   QString nameThen() const { return then_->text(); }
@@ -41,8 +43,15 @@ class BesideView : public QWidget {
   void setNavigation(view::Navigation navigation);
   /// Something else is compared, or what is compared came to something else.
   void refresh();
+  /// The present picture at any size in pixels, with its legend.
+  QImage picture(const QSize& pixels, double pixelRatio);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  signals:
+  /// The legend was double-clicked.
+  void legendActivated();
   /// What lies under the cursor in the second picture.
   void hovered(const bw::scene::Pick& pick);
 
@@ -53,12 +62,15 @@ class BesideView : public QWidget {
   void refreshNames();
   /// Where the second picture is looked at from.
   void follow();
+  /// Shows the legend beside the pictures where there is one and room for it.
+  void placeLegend();
   /// The range of the legend over both pictures; empty where no map is shown, or the person chose one.
   std::optional<std::pair<double, double>> rangeOfBoth(const scene::Style& style, const scene::Style& other);
 
   const Comparison& comparison_;
   view::SceneView& present_;
-  view::SceneView* other_ = nullptr;
+  view::SceneView *other_ = nullptr, *legend_ = nullptr;
+  scene::Style style_;  ///< as it was given
   QGridLayout* grid_;
   QLabel *then_, *now_;
   QFrame* line_;

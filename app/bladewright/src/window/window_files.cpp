@@ -153,7 +153,7 @@ void MainWindow::exportPicture() {
   const QString file = questions_.savePicture(bench_.document().title() + ".png");
   if (file.isEmpty()) return;
   const double ratio = std::max(1.0, double(size.width()) / std::max(1, view_->width()));
-  const QImage image = view_->picture(size, ratio);
+  const QImage image = beside_->picture(size, ratio);
   if (Result<void> written = writePng(image, file.toStdString()); !written)
     return bench_.tell(Topic::written, written.error());
   bench_.tell(Topic::written, Severity::info, tr("Picture written to %1").arg(file));

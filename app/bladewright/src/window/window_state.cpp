@@ -190,6 +190,7 @@ void MainWindow::makeWorkspace() {
     view_->fitWork();
   });
   connect(view_, &view::SceneView::legendActivated, mapBar_, &MapBar::editRange);
+  connect(beside_, &BesideView::legendActivated, mapBar_, &MapBar::editRange);
   connect(view_, &QOpenGLWidget::frameSwapped, this, [this] {
     if (!awaitingFrame_) return;
     awaitingFrame_ = false;
