@@ -11,7 +11,6 @@
 #include <functional>
 
 #include "bw/core/text/printable.h"
-#include "bw/words/findings.h"
 #include "controls/fields.h"
 
 namespace bw::app {
@@ -146,7 +145,7 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
     if (i < 0 || std::size_t(i) >= shown_.size()) return;
     const Message message = shown_[std::size_t(i)];
     bench_.showPlace(message);
-    emit chosen(message.remedies);
+    emit chosen(message);
   };
   connect(this, &QListWidget::itemClicked, this, show);
   connect(this, &QListWidget::itemActivated, this, show);
@@ -197,17 +196,17 @@ MessagePanel::MessagePanel(Workbench& bench, const Theme& theme, QWidget* parent
   connect(list_, &MessageList::chosen, this, &MessagePanel::offer);
 }
 
-void MessagePanel::offer(const Remedies& remedies) {
+void MessagePanel::offer(const Message& message) {
   auto* row = static_cast<QHBoxLayout*>(row_->layout());
   while (row->count() > 1) {
     const std::unique_ptr<QLayoutItem> item(row->takeAt(0));
     item->widget()->hide();
     item->widget()->deleteLater();
   }
-  for (const Remedy& remedy : remedies) {
-    if (!bench_.canApply(remedy)) continue;
-    auto* button = new QPushButton(QString::fromStdString(words::action(remedy)), row_);
-    connect(button, &QPushButton::clicked, this, [this, remedy] { bench_.apply(remedy); });
+  for (const Offer& offered : bench_.offersOf(message)) {
+    auto* button = new QPushButton(offered.text, row_);
+    connect(button, &QPushButton::clicked, this,
+            [this, offered] { bench_.editDesign(offered.text, offered.change); });
     row->insertWidget(row->count() - 1, button);
   }
   row_->setVisible(row->count() > 1);

@@ -68,8 +68,8 @@ class MessageList : public QListWidget {
  signals:
   /// How many errors and warnings stand in the list.
   void counted(int errors, int warnings);
-  /// What would mend the message that was chosen.
-  void chosen(const bw::Remedies& remedies);
+  /// That message was chosen; an empty one where none is any more.
+  void chosen(const bw::app::Message& message);
 
  private:
   void refresh();
@@ -89,7 +89,7 @@ class MessagePanel : public QWidget {
   MessageList& list() { return *list_; }
 
  private:
-  void offer(const Remedies& remedies);
+  void offer(const Message& message);
 
   Workbench& bench_;
   MessageList* list_;

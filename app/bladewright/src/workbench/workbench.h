@@ -41,6 +41,12 @@ struct Message {
   Remedies remedies = {};
 };
 
+/// A button below the messages: its words, and what it makes of the design.
+struct Offer {
+  QString text;
+  std::function<void(Design&)> change;
+};
+
 /// Where a message is about.
 struct Spot {
   Severity severity = Severity::info;
@@ -116,6 +122,9 @@ class Workbench : public QObject {
   bool canApply(const Remedy& remedy) const;
   /// Does what a remedy advises, as one undoable step.
   void apply(const Remedy& remedy);
+  /// What can be done about a message: its remedies that change the design, and what its numbers say. The
+  /// cut that the message is about must be the one selected, as `showPlace` leaves it.
+  std::vector<Offer> offersOf(const Message& message) const;
 
   /// Its block and cut are always those of a cut of the design.
   const Selection& selection() const { return selection_; }
