@@ -203,6 +203,50 @@ TEST_F(ObjectTreeTest, ACreaseIsSeenWithWhatItIsTheEdgeOf) {
   EXPECT_NEAR(length, bench().shown()->blocks[0].together.value->creases.front().length, 0.02 * length);
 }
 
+TEST_F(ObjectTreeTest, WhatIsHiddenAndLockedIsSavedWithTheDesign) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  bench().setHidden({Kind::stations, "east"}, true);
+  EXPECT_FALSE(bench().document().modified()) << "a design without a file loses nothing";
+  bench().setHidden({Kind::cut, "north"}, true);
+  bench().setLocked({Kind::surface, "east"}, true);
+  const fs::path file = path("marked.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  EXPECT_FALSE(bench().document().modified());
+  bench().setHidden({Kind::stations, "east"}, false);
+  EXPECT_TRUE(bench().document().modified());
+  EXPECT_TRUE(window().isWindowModified());
+  EXPECT_FALSE(bench().document().undoStack().canUndo()) << "it is no step of the history";
+  bench().setHidden({Kind::stations, "east"}, true);
+  EXPECT_FALSE(bench().document().modified()) << "as in the file";
+  ASSERT_TRUE(bench().current()) << "nothing is computed for it";
+  EXPECT_EQ(bench().design().marks, PartMarks()) << "nothing hangs on it";
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  EXPECT_EQ(bench().document().marks(), PartMarks());
+  ASSERT_TRUE(window().openFile(QString::fromStdString(file.string())));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().hidden({Kind::stations, "east"}));
+  EXPECT_TRUE(bench().hidden({Kind::cut, "north"}));
+  EXPECT_TRUE(bench().locked({Kind::surface, "east"}));
+  EXPECT_TRUE(line(Kind::cut, "north")->toolTip(ObjectTree::seen).contains("hidden"));
+  EXPECT_TRUE(line(Kind::surface, "east")->toolTip(ObjectTree::kept).contains("locked"));
+  const auto& cuts = bench().shown()->blocks[0].cuts;
+  EXPECT_FALSE(sees(scene::Kind::cut, {0, cuts[0].id == "north" ? 0 : 1, 0, -1}));
+  // It outlasts edits, undo and the next save.
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 1.5; });
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().hidden({Kind::cut, "north"}));
+  bench().setLocked({Kind::surface, "east"}, false);
+  ASSERT_TRUE(bench().saveTo(file));
+  const Design saved = loadDesign(file).value();
+  EXPECT_EQ(saved.marks.hidden.cuts, std::set<std::string>{"north"});
+  EXPECT_EQ(saved.marks.hidden.stations, std::set<std::string>{"east"});
+  EXPECT_EQ(saved.marks.locked, PartIds());
+  // The same example again is seen whole, in the tree too.
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  EXPECT_TRUE(line(Kind::cut, "north")->toolTip(ObjectTree::seen).contains("shown"));
+}
+
 TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {
   ASSERT_NO_FATAL_FAILURE(open("single-block"));
   const Design before = bench().design();

@@ -81,7 +81,9 @@ Document::Document(const fs::path& recoveryFolder, QObject* parent)
 
 Document::~Document() { writer_.waitForDone(); }
 
-bool Document::modified() const { return recovered_ || !undo_.isClean(); }
+bool Document::modified() const {
+  return recovered_ || !undo_.isClean() || (!file_.empty() && marks_ != savedMarks_);
+}
 
 bool Document::changedOnDisk() const {
   if (file_.empty()) return false;
@@ -114,15 +116,33 @@ void Document::exchange(const std::shared_ptr<const Design>& design) {
     next = std::move(known);
   }
   design_ = std::move(next);
+  copySoon();
+  emit designChanged();
+}
+
+void Document::copySoon() {
   // A clock that is running goes on: edits that never pause are copied too.
   if (recovery_ && !autosaveTimer_.isActive()) autosaveTimer_.start();
-  emit designChanged();
+}
+
+void Document::setMarks(PartMarks marks) {
+  if (marks == marks_) return;
+  marks_ = std::move(marks);
+  copySoon();
+  emit titleChanged();
+}
+
+std::shared_ptr<Design> Document::marked() const {
+  auto stored = std::make_shared<Design>(*design_);
+  stored->marks = marks_;
+  return stored;
 }
 
 void Document::replace(Design design, const fs::path& file, const std::optional<Fingerprint>& onDisk,
                        std::shared_ptr<RecoveryFile> recovery) {
   discardCopy();
   if (recovery) recovery_ = std::move(recovery);
+  marks_ = savedMarks_ = std::exchange(design.marks, {});
   design_ = std::make_shared<const Design>(std::move(design));
   file_ = absolutePath(file);
   onDisk_ = onDisk;
@@ -162,7 +182,7 @@ Result<void> Document::open(const fs::path& file, int* version) {
 }
 
 Result<void> Document::saveAs(const fs::path& file) {
-  auto stored = std::make_shared<Design>(*design_);
+  const std::shared_ptr<Design> stored = marked();
   const Source& source = stored->source();
   if (read_ && read_->first == source.path && source.bytes.empty() && !source.surface)
     stored->source().saved = read_->second;
@@ -170,7 +190,9 @@ Result<void> Document::saveAs(const fs::path& file) {
     noteSources(*stored);
   if (Result<void> saved = saveDesign(*stored, file); !saved) return saved;
   const bool noted = stored->source().saved != design_->source().saved;
-  if (noted) design_ = std::move(stored);
+  stored->marks = {};
+  if (noted) design_ = stored;
+  savedMarks_ = marks_;
   file_ = absolutePath(file);
   onDisk_ = fingerprintNow(file);
   recovered_ = false;
@@ -193,7 +215,7 @@ void Document::autosaveNow(bool wait) {
   if (!modified()) return discardCopy();  // undone: the design's own file has it all
   if (!wait && writer_.activeThreadCount() > 0) return autosaveTimer_.start();  // a slow disk: one at a time
   const QImage picture = pictureMaker_ ? pictureMaker_() : QImage();
-  writer_.start([this, recovery = recovery_, design = design_, origin = Origin{file_, onDisk_}, picture] {
+  writer_.start([this, recovery = recovery_, design = marked(), origin = Origin{file_, onDisk_}, picture] {
     const Result<void> written = recovery->write(*design, origin, picture);
     const QString problem = written ? QString() : QString::fromStdString(written.error().message);
     QMetaObject::invokeMethod(

@@ -433,10 +433,19 @@ Result<Design> readDesign(const json& object, const std::string& path, const det
   Result<Design> design = found == 1 ? earlierDesign(reader, files) : presentDesign(reader, object, files);
   if (!design) return design;
   reader.text("name", design->name);
-  if (!files)
+  if (!files) {
     detail::readVersions(reader, *design);
-  else if (reader.has("versions"))
-    reader.complain("versions", path + " has versions of its own; those of a design hold none: move them up");
+    detail::readMarks(reader, *design);
+  } else {
+    if (reader.has("versions"))
+      reader.complain("versions",
+                      path + " has versions of its own; those of a design hold none: move them up");
+    for (const char* key : {"hidden", "locked"})
+      if (reader.has(key))
+        reader.complain(key, path + " has the key " + key +
+                                 ", but what is hidden or locked is told of the present state alone; take "
+                                 "it out");
+  }
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   if (version) *version = found;
   // Those of a version count from its own document.
@@ -559,6 +568,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   object["process"] = process;
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
   writeBindings(design.bindings, object);
+  writeMarks(design, object);
   if (!design.versions.empty()) object["versions"] = versionsJson(design);
   return object;
 }

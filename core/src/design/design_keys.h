@@ -30,6 +30,10 @@ Result<Design> designFrom(const nlohmann::json& object, const std::string& path,
 void readVersions(ObjectReader& reader, Design& design);
 nlohmann::ordered_json versionsJson(const Design& design);
 
+/// hidden, locked: of the parts that are read before them.
+void readMarks(ObjectReader& reader, Design& design);
+void writeMarks(const Design& design, nlohmann::ordered_json& object);
+
 /// Degrees that are read as exactly this angle again, where there are such: as any that was read has.
 double degreesThatRead(double angle);
 Eigen::Vector3d degreesThatRead(const Eigen::Vector3d& angles);

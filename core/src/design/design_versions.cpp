@@ -65,6 +65,7 @@ Result<NamedVersion> versionOf(const Design& design, std::string_view name) {
 
 Design withoutVersions(Design design) {
   design.versions.clear();
+  design.marks = {};
   return design;
 }
 
@@ -85,6 +86,7 @@ Result<Design> atVersion(const Design& design, std::string_view name) {
   if (!version) return tl::unexpected<Error>(version.error());
   Design taken = *version->design;
   taken.versions = design.versions;
+  taken.marks = design.marks;
   return taken;
 }
 

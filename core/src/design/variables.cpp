@@ -58,6 +58,7 @@ Result<Design> resolved(const Design& design) {
   if (plain(design, "/process/")) read->process = design.process;
   read->output = design.output;
   read->versions = design.versions;
+  read->marks = design.marks;
   return read;
 }
 

@@ -39,6 +39,32 @@ bool taken(const std::vector<Part>& parts, const Object& object, const std::stri
 
 }  // namespace
 
+std::set<std::string>& idsOf(PartIds& marked, Object::Kind kind) {
+  switch (kind) {
+    case Object::Kind::block:
+      return marked.stock;
+    case Object::Kind::cut:
+      return marked.cuts;
+    case Object::Kind::surface:
+      return marked.sources;
+    case Object::Kind::stations:
+      break;
+  }
+  return marked.stations;
+}
+
+const std::set<std::string>& idsOf(const PartIds& marked, Object::Kind kind) {
+  return idsOf(const_cast<PartIds&>(marked), kind);
+}
+
+std::vector<Object> objectsOf(const PartIds& marked) {
+  std::vector<Object> objects;
+  for (const Object::Kind kind :
+       {Object::Kind::block, Object::Kind::cut, Object::Kind::surface, Object::Kind::stations})
+    for (const std::string& id : idsOf(marked, kind)) objects.push_back({kind, id});
+  return objects;
+}
+
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name) {
   const auto refuse = [](const std::string& why) { return fail(ErrorCode::badInput, why, "name"); };
   if (name.find_first_not_of(" \t") == std::string::npos) return refuse("a name must not be empty");

@@ -4,11 +4,13 @@
 
 #include <compare>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "bw/core/base/result.h"
 #include "bw/core/design/design.h"
+#include "bw/core/design/part_marks.h"
 
 namespace bw::app {
 
@@ -19,6 +21,12 @@ struct Object {
   std::string id;  ///< of the block, the cut or the source; for stations that of their cut
   auto operator<=>(const Object&) const = default;
 };
+
+/// The ids of objects of a kind among those that are marked.
+const std::set<std::string>& idsOf(const PartIds& marked, Object::Kind kind);
+std::set<std::string>& idsOf(PartIds& marked, Object::Kind kind);
+/// All that are marked.
+std::vector<Object> objectsOf(const PartIds& marked);
 
 /// The design with another name for a block, a cut or a source wherever it stands. Error `badInput`, with
 /// what to do: a name that is empty, taken, longer than 60 characters or with one that no file can have;

@@ -65,8 +65,6 @@ void Workbench::onReplaced() {
   ++opened_;
   // First of all: whoever is told that work ended asks for the cut selected, and the design is the new one.
   selection_ = {};
-  hidden_.clear();
-  locked_.clear();
   Change change = settleSelection();
   runner_.clear();
   playTime_ = 0;
@@ -88,6 +86,7 @@ void Workbench::onReplaced() {
   change |= resultChange();
   change.whole |= Aspect::messages;
   emit changed(change);
+  emit objectsChanged();
 }
 
 std::shared_ptr<const pipeline::Evaluation> Workbench::shown() const {
@@ -373,7 +372,7 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
       after.bindings.erase(place);
     }
   }
-  if (const auto kept = firstChanged({locked_.begin(), locked_.end()}, design(), after)) {
+  if (const auto kept = firstChanged(objectsOf(document_.marks().locked), design(), after)) {
     tell(Topic::locked, Severity::info,
          tr("Locked: %1 stays as it is; its lock in the tree of objects lets it be changed")
              .arg(QString::fromStdString(printable(kept->id))));
@@ -393,14 +392,20 @@ void Workbench::editBound(const std::string& place, const std::optional<BoundNum
 }
 
 void Workbench::setHidden(const Object& object, bool hidden) {
-  if (hidden == hidden_.contains(object)) return;
-  hidden ? void(hidden_.insert(object)) : void(hidden_.erase(object));
+  if (hidden == this->hidden(object)) return;
+  PartMarks marks = document_.marks();
+  std::set<std::string>& ids = idsOf(marks.hidden, object.kind);
+  hidden ? void(ids.insert(object.id)) : void(ids.erase(object.id));
+  document_.setMarks(std::move(marks));
   emit objectsChanged();
 }
 
 void Workbench::setLocked(const Object& object, bool locked) {
-  if (locked == locked_.contains(object)) return;
-  locked ? void(locked_.insert(object)) : void(locked_.erase(object));
+  if (locked == this->locked(object)) return;
+  PartMarks marks = document_.marks();
+  std::set<std::string>& ids = idsOf(marks.locked, object.kind);
+  locked ? void(ids.insert(object.id)) : void(ids.erase(object.id));
+  document_.setMarks(std::move(marks));
   emit noticesOutdated(Topic::locked);
   emit objectsChanged();
 }
@@ -416,8 +421,14 @@ Result<void> Workbench::rename(const Object& object, const std::string& name) {
              [&changed](Design& design) { design = *changed; });
   if (design() != *changed) return {};
   // The old name stays hidden too: undo brings it back.
-  for (const Object::Kind kind : {object.kind, Object::Kind::stations})
-    if (hidden_.contains({kind, object.id})) hidden_.insert({kind, name});
+  PartMarks marks = document_.marks();
+  const auto followName = [&](Object::Kind kind) {
+    std::set<std::string>& ids = idsOf(marks.hidden, kind);
+    if (ids.contains(object.id)) ids.insert(name);
+  };
+  followName(object.kind);
+  if (object.kind == Object::Kind::cut) followName(Object::Kind::stations);
+  document_.setMarks(std::move(marks));
   if (next != selection_) select(next);
   emit objectsChanged();
   return {};

@@ -235,11 +235,15 @@ class Workbench : public QObject {
   /// expression, or free of it.
   void editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                  const std::function<void()>& edit);
-  /// What the picture leaves out, and what no edit changes, until another design is opened. An edit that
-  /// would change a locked object is refused, and that is told; undo goes back beyond it.
-  bool hidden(const Object& object) const { return hidden_.contains(object); }
+  /// What the picture leaves out, and what no edit changes: saved with the design. An edit that would change
+  /// a locked object is refused, and that is told; undo goes back beyond it.
+  bool hidden(const Object& object) const {
+    return idsOf(document_.marks().hidden, object.kind).contains(object.id);
+  }
   void setHidden(const Object& object, bool hidden);
-  bool locked(const Object& object) const { return locked_.contains(object); }
+  bool locked(const Object& object) const {
+    return idsOf(document_.marks().locked, object.kind).contains(object.id);
+  }
   void setLocked(const Object& object, bool locked);
   /// Another name for a block, a cut or a surface, as an undoable step; a failure becomes a notice too.
   Result<void> rename(const Object& object, const std::string& name);
@@ -313,7 +317,6 @@ class Workbench : public QObject {
   bool sourceTold_ = false;  ///< that the source is another than when the design was saved
   std::shared_ptr<const pipeline::Evaluation> toldShown_, toldNewest_;  ///< of the last change
   Selection selection_;
-  std::set<Object> hidden_, locked_;
   double playTime_ = 0;
   bool moving_ = false;
   bool live_ = false;

@@ -34,11 +34,13 @@ class Document : public QObject {
   /// Leaves the autosaved copy as it is: only saving, discarding or another design take it away.
   ~Document() override;
 
+  /// Without marks: those are told by `marks()`.
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// True until a CAD file or a design was opened.
   bool empty() const { return design_->source().empty(); }
   /// The .bladewright file; empty if never saved.
   const std::filesystem::path& file() const { return file_; }
+  /// True if edits, or marks of a design that has a file, are not saved.
   bool modified() const;
   /// True if the file holds something else than what was opened from it or saved to it last: somebody else
   /// wrote it. False where it is gone.
@@ -52,6 +54,10 @@ class Document : public QObject {
   void edit(Design after, const QString& text, int mergeId = -1);
   /// The same by changing it.
   void editDesign(const QString& text, int mergeId, const std::function<void(Design&)>& change);
+
+  /// What is hidden and locked: saved with the design, and no step of its history.
+  const PartMarks& marks() const { return marks_; }
+  void setMarks(PartMarks marks);
 
   /// Starts a design that has no file yet. The undo history is emptied.
   void start(Design design);
@@ -92,8 +98,13 @@ class Document : public QObject {
   void replace(Design design, const std::filesystem::path& file, const std::optional<Fingerprint>& onDisk,
                std::shared_ptr<RecoveryFile> recovery = nullptr);
   void noteAutosave(const QString& problem);
+  /// The design with the marks, as files hold it.
+  std::shared_ptr<Design> marked() const;
+  /// Copies the design a while after the first change that the copy lacks.
+  void copySoon();
 
   std::shared_ptr<const Design> design_;
+  PartMarks marks_, savedMarks_;
   std::filesystem::path file_;
   std::optional<Fingerprint> onDisk_;  ///< of file_ when it was opened or saved
   std::optional<std::pair<std::filesystem::path, Fingerprint>> read_;  ///< a source as results know it

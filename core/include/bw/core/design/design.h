@@ -19,6 +19,7 @@
 #include "bw/core/blade/blade.h"
 #include "bw/core/design/block_grid.h"
 #include "bw/core/design/face_choice.h"
+#include "bw/core/design/part_marks.h"
 #include "bw/core/design/read_options.h"
 #include "bw/core/design/variables.h"
 #include "bw/core/files/fingerprint.h"
@@ -128,7 +129,7 @@ struct Design;
 /// A state of a design that was given a name, to come back to and to compare with.
 struct NamedVersion {
   std::string name;
-  std::shared_ptr<const Design> design;  ///< not null; without versions of its own
+  std::shared_ptr<const Design> design;  ///< not null; without versions and marks of its own
   bool operator==(const NamedVersion& other) const;
 };
 
@@ -151,6 +152,7 @@ struct Design {
   /// is what its expression came to was changed since, and is free of it.
   std::map<std::string, BoundNumber> bindings = {};
   std::vector<NamedVersion> versions = {};  ///< in the order in which they were named
+  PartMarks marks = {};                     ///< versions have none
 
   /// The first of each: the case of one.
   const Source& source() const { return sources.front(); }

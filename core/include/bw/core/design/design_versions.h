@@ -18,14 +18,15 @@ namespace bw {
 /// are.
 Result<NamedVersion> versionOf(const Design& design, std::string_view name);
 
-/// The design without its versions: what a version holds, and what is handed out with results.
+/// The design without its versions and marks: what a version holds, and what is handed out with results.
 Design withoutVersions(Design design);
 
 /// The design with its present state as a version, the last one. Errors (`badInput`): a name that is empty,
 /// taken or no UTF-8; as many versions as there may be.
 Result<Design> withVersion(const Design& design, const std::string& name);
 
-/// The design as it was in that version, with the versions of now. Errors: those of `versionOf`.
+/// The design as it was in that version, with the versions and the marks of now. Errors: those of
+/// `versionOf`.
 Result<Design> atVersion(const Design& design, std::string_view name);
 
 /// The design without that version. Errors: those of `versionOf`.
