@@ -308,13 +308,14 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
   ASSERT_FALSE(product.error) << product.error->message;
   EXPECT_EQ(product.status(), kDone);
   nlohmann::json report;
-  std::string step;
+  std::string step, whole;
   int modules = 0;
   bool told = false;
   for (std::size_t i = 0; i < product.files.paths().size(); ++i) {
     const std::string name = product.files.paths()[i].generic_string(), &text = product.files.bytes()[i];
     if (name == "report.json") report = nlohmann::json::parse(text);
     if (name == "parts.step") step = text;
+    if (name == "blocks.step") whole = text;
     if (!name.ends_with(".mod")) continue;
     ++modules;
     const bool first = name.find("strip-0") != std::string::npos;
@@ -338,6 +339,11 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_EQ(part->info().solids, 1);
   EXPECT_NEAR(part->info().bounds.max.x() - part->info().bounds.min.x(), 600, 0.01);
+  const Result<geometry::CadModel> uncut = geometry::CadModel::readBytes(whole, "blocks.step");
+  ASSERT_TRUE(uncut) << uncut.error().message;
+  EXPECT_EQ(uncut->info().solids, 1);
+  EXPECT_EQ(uncut->info().faces, 6);
+  EXPECT_GT(uncut->info().bounds.max.z(), part->info().bounds.max.z()) << "what the cuts take is still there";
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ class Pieces : public WindowTest {
     for (const std::string& strip : strips)
       for (const char* program : {"T_ROB1/BladeLeft.mod", "T_ROB2/BladeRight.mod"})
         EXPECT_NE(read("programs/" + strip + "/" + program).find("MODULE"), std::string::npos) << strip;
-    for (const char* name : {"surface.step", "parts.step"})
+    for (const char* name : {"surface.step", "parts.step", "blocks.step"})
       EXPECT_TRUE(read(name).starts_with("ISO-10303-21")) << name;
     const std::string parts = read("parts.step");
     std::size_t solids = 0;

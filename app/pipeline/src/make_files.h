@@ -12,11 +12,11 @@
 
 namespace bw::pipeline {
 
-/// sweep.json, surface.step, parts.step (where parts are known), drawings.pdf and cut-list.csv (where they
-/// were sought), mesh.obj, curves.step and curves.dxf, stations.csv and deviation.csv of all strips, the
-/// programs of the design in programs/ as `programFiles` has them, the design, those of the policy's caller,
-/// and last report.json; of these what `policy.wanted` has. The report lists exactly these, with the
-/// fingerprint of each and the name of the run.
+/// sweep.json, surface.step, parts.step and blocks.step (where parts are known), drawings.pdf and
+/// cut-list.csv (where they were sought), mesh.obj, curves.step and curves.dxf, stations.csv and
+/// deviation.csv of all strips, the programs of the design in programs/ as `programFiles` has them, the
+/// design, those of the policy's caller, and last report.json; of these what `policy.wanted` has. The report
+/// lists exactly these, with the fingerprint of each and the name of the run.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, const Policy& policy);
 
 /// A row of blades that came to a result; files count them in the order of the evaluation.

@@ -228,6 +228,7 @@ void files(Page& page, const std::vector<std::filesystem::path>& made) {
        "The cut surface as one smooth face, mm, in the frame of the CAD file"},
       {{"mesh.obj", "mesh.stl"}, "The same as triangles"},
       {{"parts.step"}, "What is left of the blocks, as solids"},
+      {{"blocks.step"}, "The blocks before they are cut, as solids"},
       {{"curves.step", "curves.dxf"},
        "The seams between blocks, the outlines of the cut surfaces and their creases, as curves"},
       {{"drawings.pdf"}, "A drawing of each block for the workshop: its size, and how it lies for each cut"},

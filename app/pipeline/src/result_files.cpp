@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/sweep/maps.h"
@@ -212,6 +213,20 @@ Result<std::string> stepOf(const std::vector<Strip>& strips) {
   return geometry::stepText(surfaces, "cut surface");
 }
 
+/// The blocks before they are cut, each as it lies before it is turned for any cut.
+Result<std::string> blocksOf(const Evaluation& e, const Wanted& wanted, const RunContext& context) {
+  std::vector<std::pair<std::string, geometry::Part>> blocks;
+  for (const BlockEvaluation& block : e.blocks) {
+    if (!wanted.hasBlock(block.id)) continue;
+    Result<geometry::Part> whole = geometry::Part::make(block.part.request.placed, {}, context);
+    if (!whole) return tl::unexpected<Error>(whole.error());
+    blocks.emplace_back(block.id, std::move(*whole));
+  }
+  std::vector<geometry::NamedPart> named;
+  for (const auto& [id, block] : blocks) named.push_back({id, &block});
+  return named.empty() ? Result<std::string>("") : geometry::partsStepText(named, "blocks");
+}
+
 /// The parts that are left, where they are known; empty where none is.
 Result<std::string> partsOf(const Evaluation& e, const Wanted& wanted) {
   std::vector<geometry::NamedPart> parts;
@@ -250,8 +265,8 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     }
   }
   // The texts are independent of each other and take most of the time of a small job.
-  std::array<std::string, 9> texts;
-  std::optional<Error> stepError, partsError, drawingsError, curvesError;
+  std::array<std::string, 10> texts;
+  std::optional<Error> stepError, partsError, blocksError, drawingsError, curvesError;
   const Wanted& wanted = policy.wanted;
   const bool workshop = partsSought(e) && wanted.has(FileKind::workshop);
   const auto body = [&](int i) {
@@ -281,6 +296,12 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
           texts[5] = std::move(*parts);
         else
           partsError = parts.error();
+        if (!partsSought(e)) break;
+        Result<std::string> blocks = blocksOf(e, wanted, context);
+        if (blocks)
+          texts[9] = std::move(*blocks);
+        else
+          blocksError = blocks.error();
         break;
       }
       case 6: {
@@ -315,12 +336,14 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
   if (Result<void> ok = parallelFor(context, 8, body); !ok) return tl::unexpected<Error>(ok.error());
   if (stepError) return tl::unexpected<Error>(*stepError);
   if (partsError) return tl::unexpected<Error>(*partsError);
+  if (blocksError) return tl::unexpected<Error>(*blocksError);
   if (drawingsError) return tl::unexpected<Error>(*drawingsError);
   if (curvesError) return tl::unexpected<Error>(*curvesError);
   FileSet files;
   files.add("sweep.json", std::move(texts[4]));
   if (wanted.has(FileKind::surface)) files.add("surface.step", std::move(texts[0]));
   if (!texts[5].empty()) files.add("parts.step", std::move(texts[5]));
+  if (!texts[9].empty()) files.add("blocks.step", std::move(texts[9]));
   if (workshop) {
     files.add("drawings.pdf", std::move(texts[6]));
     files.add("cut-list.csv", cutListCsv(e, wanted));
