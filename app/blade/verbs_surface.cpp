@@ -69,7 +69,8 @@ void tellSummary(const pipeline::Evaluation& e) {
             << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance, "
             << shareText(all.covered) << " of the surface covered (farthest beyond the cut "
             << shortText(all.uncovered) << " mm); ";
-  if (all.fromShown) std::cerr << "the motion within " << shortText(*all.fromShown) << " mm of this surface; ";
+  if (all.fromShown)
+    std::cerr << "the motion within " << shortText(*all.fromShown) << " mm of this surface; ";
   if (e.joints.value && !e.joints.value->joints.empty())
     std::cerr << "joints: gap max " << shortText(e.joints.value->gapMax()) << " mm, kink max "
               << fixedText(toDegrees(e.joints.value->kinkMax()), 2) << "°; ";

@@ -238,8 +238,8 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
         },
         Qt::QueuedConnection);
   }
-  // Beyond what can be sketched the hand may lead back as soon as its reach is known. That is found to its end
-  // first: an evaluation of what cannot be cut, and the advice on it, may take a hundred times as long.
+  // Beyond what can be sketched the hand may lead back as soon as its reach is known. That is found to its
+  // end first: an evaluation of what cannot be cut, and the advice on it, may take a hundred times as long.
   if (sketch || search_) {
     const auto until = std::chrono::steady_clock::now() + kHandRest;
     const auto asked = [this] { return !waiting_.empty(); };
