@@ -92,7 +92,8 @@ TEST_F(HandleKeysTest, ArrowsStopWhereTheSurfaceCanNoLongerBeCut) {
   EXPECT_LE(height(), 340 + reach->ends[1].free + 1e-9);
   EXPECT_GT(height(), 345);
   EXPECT_NEAR(std::remainder(height(), 10), 0, 1e-9) << "the last round number before it";
-  // Finer steps lead nearer to it, and no farther.
+  // Finer steps lead nearer to it, and no farther, as soon as it is known to the end.
+  ASSERT_TRUE(settle());
   for (int i = 0; i < 15; ++i) press(Qt::Key_Up);
   EXPECT_LE(height(), 340 + reach->ends[1].free + 1e-9);
   ASSERT_TRUE(settle());

@@ -182,7 +182,7 @@ TEST(Workshop, GetsTheKindsOfFilesAndTheBlocksThatAreWanted) {
     Wanted wanted;
     wanted.kinds[kind] = false;
     const std::size_t fewer = all.files.paths().size() - written(wanted).files.paths().size();
-    const std::size_t files[kFileKinds] = {3, 2, 0, 1, 1, 1, 2, 2};  // pages are the window's
+    const std::size_t files[kFileKinds] = {3, 2, 0, 1, 2, 1, 2, 2};  // pages are the window's
     EXPECT_EQ(fewer, files[kind]) << kFileKindInfos[kind].word;
   }
   const Product two = written({.blocks = {"column-1", "column-3"}});

@@ -18,10 +18,11 @@ namespace bw {
 
 namespace {
 
-constexpr std::size_t kSearched = 5;  // stations at which all shapes are sought
-constexpr double kSameShape = 0.5;    // mm
-constexpr double kSameAngle = 1e-3;   // rad
-constexpr int kPlaces = 101;          // of another shape
+constexpr std::size_t kSearched = 5;       // stations at which all shapes are sought
+constexpr std::size_t kSearchedAgain = 8;  // at most, where one of them was lost on the way
+constexpr double kSameShape = 0.5;         // mm
+constexpr double kSameAngle = 1e-3;        // rad
+constexpr int kPlaces = 101;               // of another shape
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
 
@@ -177,11 +178,12 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   const std::size_t n = sweep.poses.size();
   const double stiffness = sweep.request.blade.flexuralRigidity();
   RowCertainty row{std::vector<StationCertainty>(n)};
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto ownEnergy = [&](std::size_t i) {
     const BladePose& pose = sweep.poses[i];
-    row.stations[i].energy =
-        !isKnown(sweep, i) ? kUnknown : stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
-  }
+    return !isKnown(sweep, i) ? kUnknown
+                              : stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
+  };
+  for (std::size_t i = 0; i < n; ++i) row.stations[i].energy = ownEnergy(i);
   std::vector<std::size_t> searched;
   for (std::size_t k = 0; k < kSearched; ++k) {
     const std::size_t i = (n - 1) * k / (kSearched - 1);
@@ -215,6 +217,21 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     const std::optional<OtherRest>&a = onward[0][i].other, &b = onward[1][i].other;
     if (!std::isfinite(onward[0][i].energy + onward[1][i].energy)) row.stations[i].energy = kUnknown;
     row.stations[i].other = !a || (b && b->energy < a->energy) ? b : a;
+  }
+  // Where one was lost on the way all are sought once more, and followed as far as nothing is known.
+  const auto isLost = [&](std::size_t i) {
+    return isKnown(sweep, i) && !std::isfinite(row.stations[i].energy);
+  };
+  for (std::size_t i = 0, times = 0; i < n && times < kSearchedAgain; ++i) {
+    if (!isLost(i)) continue;
+    if (context.stopped()) return stoppedError();
+    ++times;
+    const std::optional<std::vector<HeavyBlade>> all = othersAt(sweep, i);
+    if (!all) continue;
+    std::size_t to = i;
+    for (; to < n && isLost(to); ++to) row.stations[to].energy = ownEnergy(to);
+    Others others(sweep, row.stations);
+    for (const HeavyBlade& blade : *all) others.follow(blade, i, to);
   }
   // How little brings it over, at the stations that were searched and where that is most needed.
   std::vector<std::size_t> asked;
