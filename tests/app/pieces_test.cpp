@@ -49,11 +49,15 @@ class Pieces : public WindowTest {
       if (!widget.isVisible()) press(*fold);  // not there
     }
     QTest::qWait(50);  // until what was folded away has its place
-    for (QWidget* at = widget.parentWidget(); at; at = at->parentWidget())
-      if (auto* area = qobject_cast<QScrollArea*>(at)) area->ensureWidgetVisible(&widget);
-    QTest::qWait(0);
     ASSERT_TRUE(widget.isVisible()) << "there is no way to " << widget.accessibleName().toStdString();
-    ASSERT_FALSE(widget.visibleRegion().isEmpty());
+    // What a result brings above it may push it out of sight again.
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          for (QWidget* at = widget.parentWidget(); at; at = at->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(at)) area->ensureWidgetVisible(&widget);
+          return !widget.visibleRegion().isEmpty();
+        },
+        kPatience));
     ASSERT_TRUE(widget.isEnabled());
   }
 
