@@ -347,7 +347,7 @@ TEST(RowRest, IsAnErrorWhereNothingIsKnownOfOtherShapes) {
   EXPECT_EQ(unsought->where.stations->first, 1);
   EXPECT_EQ(unsought->where.stations->last, 2);
   EXPECT_TRUE(exceedsLimit(row.findings));
-  // Of a blade that does not rest the check tells, and of one of which it is not known how it hangs the fit.
+  // Of a blade that does not rest the check tells.
   judged.check.stations[1].stable = judged.check.stations[2].stable = false;
   EXPECT_TRUE(std::ranges::none_of(judged.rest().findings, [](const Finding& finding) {
     return std::get<OtherShape>(finding.cause).lost == OtherShape::Lost::unsought;
