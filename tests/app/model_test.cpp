@@ -19,13 +19,12 @@
 #include "bw/model/history.h"
 #include "bw/model/settings.h"
 #include "bw/model/step_state.h"
+#include "patience.h"
 
 namespace bw::model {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
 
 /// The test panel with few stations.
 Design panelDesign(int stations = 12) {

@@ -18,13 +18,12 @@
 #include "bw/core/files/file_set.h"
 #include "bw/model/document.h"
 #include "bw/model/recovery.h"
+#include "patience.h"
 
 namespace bw::model {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
 
 class Recovery : public ::testing::Test {
  protected:

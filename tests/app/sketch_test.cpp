@@ -24,12 +24,11 @@
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/reach.h"
 #include "bw/pipeline/sketch.h"
+#include "patience.h"
 #include "sample_wall.h"
 
 namespace bw::pipeline {
 namespace {
-
-constexpr int kPatience = 60000;  // ms
 
 Design designed(const char* name) {
   Design design = exampleDesign(name).value();

@@ -78,7 +78,7 @@ class VersionsTest : public WindowTest {
   }
   /// What differs is told once the hand rests.
   bool tells(const QString& line) {
-    return QTest::qWaitFor([&] { return panel().shownDifferences().contains(line); }, 2000);
+    return QTest::qWaitFor([&] { return panel().shownDifferences().contains(line); }, kPatience);
   }
   static bool same(const scene::Camera& a, const scene::Camera& b) {
     return (a.position - b.position).norm() < 1e-6 && (a.focus - b.focus).norm() < 1e-6 &&

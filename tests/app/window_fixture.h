@@ -21,14 +21,13 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
+#include "patience.h"
 #include "window/main_window.h"
 #include "window/options.h"
 
 namespace bw::app {
 
 namespace fs = std::filesystem;
-
-inline constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
 
 /// A window on settings of its own.
 class WindowTest : public ::testing::Test {

@@ -22,6 +22,7 @@
 
 #include "bw/model/document.h"
 #include "bw/model/recovery.h"
+#include "patience.h"
 #include "window/desktop.h"
 #include "window/main_window.h"
 
@@ -30,7 +31,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPatience = 60000;  // ms: a bound against hanging
 constexpr int kRounds = 3;
 constexpr unsigned kSeed = 20261122;
 constexpr double kPromise = 5;              // s of edits that may be lost

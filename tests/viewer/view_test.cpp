@@ -15,6 +15,7 @@
 
 #include "bw/scene/navigation.h"
 #include "bw/view/scene_view.h"
+#include "patience.h"
 #include "scene_sample.h"
 
 namespace {
@@ -25,8 +26,6 @@ using bw::scene::Style;
 using bw::scene::View;
 using bw::view::Navigation;
 using bw::view::SceneView;
-
-constexpr int kPatience = 20000;  ///< ms for a frame of the software renderer on a busy machine
 
 /// A shown view of the sample panel with its first frame drawn.
 class SceneViewTest : public testing::Test {
