@@ -19,7 +19,7 @@ using nlohmann::json;
 const std::string kModule = "out/programs/strip-0/T_ROB1/BladeLeft.mod";
 
 /// Results of the panel with a blade that is sure of its shape.
-void rationalize(const Folder& folder) {
+void rationalizeTo(const Folder& folder) {
   const std::string job =
       folder.write("job.json", R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": 710}})");
   const Finished run =
@@ -29,7 +29,7 @@ void rationalize(const Folder& folder) {
 
 TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const json summary = json::parse(slurp(folder / "out/report.json"))["summary"];
   json rapid;
   for (const std::string path : {"out", "out/programs/strip-0", "out/programs/strip-0/motion.csv",
@@ -59,7 +59,7 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
 
 TEST(Simulate, AChangedTargetBreaksALimit) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   // A target of the left robot in the middle of the cut, 4 mm higher.
   std::string text = slurp(folder / kModule);
   const std::size_t at = text.find("CONST robtarget p0025");
@@ -76,7 +76,7 @@ TEST(Simulate, AChangedTargetBreaksALimit) {
 
 TEST(Simulate, WhatBreaksARuleOrHurriesIsTold) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const std::string good = slurp(folder / kModule);
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = good;
@@ -100,7 +100,7 @@ TEST(Simulate, WhatBreaksARuleOrHurriesIsTold) {
 
 TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const std::string path = "out/programs/strip-0/motion.json";
   json motion = json::parse(slurp(folder / path));
   for (json& instant : motion["instants"])
@@ -114,7 +114,7 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
 
 TEST(Simulate, ExchangedGripsAreTold) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   json motion = json::parse(slurp(folder / "out/programs/strip-0/motion.json"));
   for (json& instant : motion["instants"]) std::swap(instant["poses"][0], instant["poses"][1]);
   // Beside its design, which knows where its grips stand, and alone, by the planes of its block.
@@ -128,7 +128,7 @@ TEST(Simulate, ExchangedGripsAreTold) {
 
 TEST(Simulate, WhatNoBladeCanDoIsStatusOneAndSaysWhereAndWhen) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const std::string path = "out/programs/strip-0/motion.json";
   const json good = json::parse(slurp(folder / path));
   const std::size_t middle = good["instants"].size() / 2;
@@ -243,7 +243,7 @@ TEST(Simulate, TellsHowLittleBringsTheBladeIntoAnotherShape) {
 
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const std::string other = folder.write("job.json", panelJob(R"("stations": 12, "programs": ["json"])"));
   ASSERT_EQ(
       blade({"rationalize", example("panel-600x670"), "--job", other, "--out", folder / "other"}).status, 0);

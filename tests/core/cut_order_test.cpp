@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using test::PatchSampler;
 
-Box block() { return BlockPlacement{{0, 0, 0}, {600, 800, 500}, {0, 0, 0}}.box(); }
+Box standing() { return BlockPlacement{{0, 0, 0}, {600, 800, 500}, {0, 0, 0}}.box(); }
 
 /// z = `height` + `slope` x over the block and beyond it.
 PatchSampler slope(double height, double slope) {
@@ -25,14 +25,14 @@ PatchSampler slope(double height, double slope) {
 }
 
 TEST(CutOrder, AreaAndHeightAreOfWhatLiesInTheBlock) {
-  const AreaInBox in = areaInBox(slope(100, 0.5).mesh(), block());
+  const AreaInBox in = areaInBox(slope(100, 0.5).mesh(), standing());
   EXPECT_NEAR(in.area, 600 * std::sqrt(1.25) * 800, 1e-6);
   EXPECT_NEAR(in.height, 250, 1e-9);
   // Half of it comes out at the top.
-  const AreaInBox part = areaInBox(slope(350, 0.5).mesh(), block());
+  const AreaInBox part = areaInBox(slope(350, 0.5).mesh(), standing());
   EXPECT_NEAR(part.area, 300 * std::sqrt(1.25) * 800, 1e-6);
   EXPECT_NEAR(part.height, 425, 1e-9);
-  EXPECT_EQ(areaInBox(slope(600, 0).mesh(), block()).area, 0);
+  EXPECT_EQ(areaInBox(slope(600, 0).mesh(), standing()).area, 0);
 }
 
 TEST(CutOrder, TheLowestComesFirstUnlessTold) {
@@ -74,10 +74,10 @@ TEST(CutOrder, DepthIsThatInAllThatStays) {
 TEST(CutOrder, ACutAboveWhatIsLeftMeetsNothing) {
   PatchSampler low = slope(100, 0), high = slope(200, 0.1), across = slope(-50, 0.5);
   const std::vector<PartedBy> before = {{&low, -1}};
-  EXPECT_EQ(meets(high.mesh(), block(), before, {}).value(), 0);
+  EXPECT_EQ(meets(high.mesh(), standing(), before, {}).value(), 0);
   // z = x / 2 − 50 goes under z = 100 up to x = 300, and enters the block at x = 100.
-  EXPECT_NEAR(meets(across.mesh(), block(), before, {}).value(), 100, 5);
-  EXPECT_TRUE(std::isinf(meets(high.mesh(), block(), {}, {}).value())) << "a whole block";
+  EXPECT_NEAR(meets(across.mesh(), standing(), before, {}).value(), 100, 5);
+  EXPECT_TRUE(std::isinf(meets(high.mesh(), standing(), {}, {}).value())) << "a whole block";
 }
 
 TEST(Refined, EdgesAreHalvedAndStayShared) {
@@ -108,16 +108,16 @@ TEST(Refined, EdgesAreHalvedAndStayShared) {
 }
 
 TEST(Refined, WhatIsFarFromTheBoxIsLeftOut) {
-  const TriangleMesh fine = refined(slope(100, 0).mesh(), block(), 20);
+  const TriangleMesh fine = refined(slope(100, 0).mesh(), standing(), 20);
   EXPECT_LT(fine.triangles.size(), 9000u) << "of 128,000 of the whole";
-  EXPECT_NEAR(areaInBox(fine, block()).area, 600 * 800, 1e-6) << "all of it in the box is there";
+  EXPECT_NEAR(areaInBox(fine, standing()).area, 600 * 800, 1e-6) << "all of it in the box is there";
 }
 
 TEST(Refined, TrianglesWithOneOrTwoLongEdges) {
   // A needle, and a triangle with two long edges beside it.
   const TriangleMesh mesh = {{{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}}, {}, {{0, 1, 2}, {0, 2, 3}}};
   for (const double longest : {9.9, 6.0, 2.0, 0.7}) {
-    const TriangleMesh fine = refined(mesh, block(), longest);
+    const TriangleMesh fine = refined(mesh, standing(), longest);
     double area = 0;
     for (const auto& t : fine.triangles)
       area += 0.5 * Vector3d(fine.points[std::size_t(t[1])] - fine.points[std::size_t(t[0])])

@@ -11,12 +11,15 @@
 #include "bw/core/design/blade_bindings.h"
 #include "bw/core/design/design.h"
 #include "bw/core/shape/blade_ends.h"
+#include "read_design.h"
 
 namespace bw {
 
 namespace {
 
 using nlohmann::json;
+using test::designOf;
+using test::errorOf;
 
 const char* const kDesign = R"({
   "bladewright_design": 2, "name": "Ripple",
@@ -31,17 +34,6 @@ const char* const kDesign = R"({
   "blade": {"preset": "steel-tube-3-2.5", "length": "=width + 200"},
   "process": {"tolerance": "=amplitude/20", "fit": {"max_periods": "=1 + 0.01"}}
 })";
-
-Design designOf(const std::string& text) {
-  Result<Design> design = parseDesign(text);
-  EXPECT_TRUE(design) << design.error().message;
-  return design.value_or(Design{});
-}
-
-std::string errorOf(const json& object) {
-  const Result<Design> design = parseDesign(object.dump());
-  return design ? "accepted" : design.error().message;
-}
 
 const PolesSurface& polesOf(const Design& design) {
   return std::get<PolesSurface>(design.source().surface->shape);

@@ -13,14 +13,17 @@
 #include "bw/core/files/file_set.h"
 #include "bw/core/files/fingerprint.h"
 #include "file_folder.h"
+#include "read_design.h"
 
 namespace bw {
 
 namespace {
 
 using nlohmann::json;
+using test::designOf;
+using test::errorOf;
 
-const char* const kDesign = R"({
+const char* const kRipple = R"({
   "bladewright_design": 2, "name": "Ripple",
   "variables": [{"name": "amplitude", "value": 40, "min": 0, "max": 80, "unit": "mm"}],
   "sources": [{"id": "s", "surface": {"type": "poles", "poles": [
@@ -31,15 +34,9 @@ const char* const kDesign = R"({
   "process": {"tolerance": "=amplitude/20"}
 })";
 
-Design designOf(const std::string& text) {
-  Result<Design> design = parseDesign(text);
-  EXPECT_TRUE(design) << design.error().message;
-  return design.value_or(Design{});
-}
-
 /// A design that was named, changed, named again and changed again.
 Design withHistory() {
-  Design design = withVersion(designOf(kDesign), "first").value();
+  Design design = withVersion(designOf(kRipple), "first").value();
   design = withVariables(design, {{"amplitude", 30}}).value();
   design.process.kerf = 1.5;
   design = withVersion(design, "second, \"quoted\" – ä").value();
@@ -48,17 +45,12 @@ Design withHistory() {
 }
 
 json withVersions(const json& versions) {
-  json object = json::parse(kDesign);
+  json object = json::parse(kRipple);
   object["versions"] = versions;
   return object;
 }
 
-json versionJson(const char* name) { return {{"name", name}, {"design", json::parse(kDesign)}}; }
-
-std::string errorOf(const json& object) {
-  const Result<Design> design = parseDesign(object.dump());
-  return design ? "accepted" : design.error().message;
-}
+json versionJson(const char* name) { return {{"name", name}, {"design", json::parse(kRipple)}}; }
 
 Design embedded(const std::string& bytes) {
   Design design;
@@ -77,7 +69,7 @@ TEST(DesignVersions, RoundTripWithTheirExpressions) {
   EXPECT_EQ(again, design);
   EXPECT_EQ(designToJson(again), text);
   const Design& first = *again.versions.front().design;
-  EXPECT_EQ(first, designOf(kDesign));
+  EXPECT_EQ(first, designOf(kRipple));
   EXPECT_EQ(first.bindings.at("/process/tolerance").text, "amplitude/20");
   EXPECT_EQ(first.process.tolerance, 2);
   EXPECT_EQ(again.process.tolerance, 1.5);
@@ -87,7 +79,7 @@ TEST(DesignVersions, RoundTripWithTheirExpressions) {
 }
 
 TEST(DesignVersions, AreNamedTakenRenamedAndRemoved) {
-  const Design before = designOf(kDesign);
+  const Design before = designOf(kRipple);
   const Design named = withVersion(before, "first").value();
   EXPECT_EQ(withoutVersions(named), before);
   Design changed = named;
@@ -276,7 +268,7 @@ TEST(DesignDifference, NumbersHaveTheirNamesAndUnits) {
 }
 
 TEST(DesignDifference, PartsAreComparedByTheirNames) {
-  const Design design = designOf(kDesign);
+  const Design design = designOf(kRipple);
   Design other = design;
   Cut more = design.cut();
   more.id = "before";
@@ -290,7 +282,7 @@ TEST(DesignDifference, PartsAreComparedByTheirNames) {
 }
 
 TEST(DesignDifference, ManyNumbersOfOneListAreOne) {
-  const Design design = designOf(kDesign);
+  const Design design = designOf(kRipple);
   Design other = design;
   for (SurfacePole& pole : std::get<PolesSurface>(other.source().surface->shape).poles) pole.height += 3;
   std::get<PolesSurface>(other.source().surface->shape).poles.back().height += 2;
@@ -299,7 +291,7 @@ TEST(DesignDifference, ManyNumbersOfOneListAreOne) {
 }
 
 TEST(DesignDifference, IsTold) {
-  const Design design = designOf(kDesign);
+  const Design design = designOf(kRipple);
   Design other = design;
   other.process.kerf = 2;
   other.cut().pose.quarters = 1;

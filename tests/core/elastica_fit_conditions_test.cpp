@@ -27,7 +27,7 @@ using test::direction;
 using test::someElastica;
 using test::splineOf;
 
-double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+double withinHalfTurn(double angle) { return std::remainder(angle, 2 * kPi); }
 
 TEST(ElasticaFit, ConstraintsHoldExactly) {
   using Length = FitOptions::Length;
@@ -70,8 +70,8 @@ TEST(ElasticaFit, ConstraintsHoldExactly) {
       if (kind.tangents) {
         const Vector2d t0 = c.tangent(c.start());
         const Vector2d t1 = c.tangent(c.end());
-        EXPECT_NEAR(wrapped(e.at(0).angle - std::atan2(t0.y(), t0.x())), 0, 1e-9);
-        EXPECT_NEAR(wrapped(e.at(e.length()).angle - std::atan2(t1.y(), t1.x())), 0, 1e-9);
+        EXPECT_NEAR(withinHalfTurn(e.at(0).angle - std::atan2(t0.y(), t0.x())), 0, 1e-9);
+        EXPECT_NEAR(withinHalfTurn(e.at(e.length()).angle - std::atan2(t1.y(), t1.x())), 0, 1e-9);
       }
       EXPECT_GE(r.R4, free.R4 * (1 - 1e-6) - 1e-12);
       EXPECT_LT(r.gradientNorm, 1e-7);
@@ -212,8 +212,8 @@ TEST(ElasticaFit, TautBladesAreAnswersUnderEndsTangentsAndLength) {
     EXPECT_LT((e.point(e.length()) - c.value(c.end())).norm(), 1e-9 * L);
     const Vector2d t0 = c.tangent(c.start());
     const Vector2d t1 = c.tangent(c.end());
-    EXPECT_NEAR(wrapped(e.at(0).angle - std::atan2(t0.y(), t0.x())), 0, 1e-9);
-    EXPECT_NEAR(wrapped(e.at(e.length()).angle - std::atan2(t1.y(), t1.x())), 0, 1e-9);
+    EXPECT_NEAR(withinHalfTurn(e.at(0).angle - std::atan2(t0.y(), t0.x())), 0, 1e-9);
+    EXPECT_NEAR(withinHalfTurn(e.at(e.length()).angle - std::atan2(t1.y(), t1.x())), 0, 1e-9);
     // The blade at rest between the same grips is one of those compared; given as a start it comes back.
     const ClampedProblem problem{
         c.value(c.start()), c.value(c.end()), std::atan2(t0.y(), t0.x()), std::atan2(t1.y(), t1.x()), L, {}};

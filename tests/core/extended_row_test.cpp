@@ -51,7 +51,7 @@ test::RowSettings asking(Extension extend, double length = 800) {
   return settings;
 }
 
-Result<Sweep> rowOf(const std::vector<Section>& sections, const FitRequest& request) {
+Result<Sweep> extendedRowOf(const std::vector<Section>& sections, const FitRequest& request) {
   Findings unsaid;
   return buildSweep(sections, request, block(), planes(), {}, unsaid);
 }
@@ -71,7 +71,7 @@ Vector2d onTangent(double angle, double more) {
 
 TEST(ExtendedRow, BladesOfSectionsThatAreElasticaComeBackToThem) {
   for (const Extension extend : {Extension::surface, Extension::curvature}) {
-    const Result<Sweep> row = rowOf(cylinder(0.4), asking(extend));
+    const Result<Sweep> row = extendedRowOf(cylinder(0.4), asking(extend));
     ASSERT_TRUE(row) << row.error().message;
     ASSERT_EQ(row->poses.size(), std::size_t(kStations));
     for (std::size_t i = 0; i < row->poses.size(); ++i) {
@@ -91,7 +91,7 @@ TEST(ExtendedRow, BladesOfSectionsThatAreElasticaComeBackToThem) {
 TEST(ExtendedRow, GripsLieOnTheTangentsWhereTheSurfaceEnds) {
   const double each = 400 - kHalf * kRadius;  // mm from the section to a grip
   for (const double beyond : {0.0, 0.05}) {
-    const Result<Sweep> row = rowOf(cylinder(beyond), asking(Extension::surface));
+    const Result<Sweep> row = extendedRowOf(cylinder(beyond), asking(Extension::surface));
     ASSERT_TRUE(row) << row.error().message;
     const double angle = kHalf + beyond;
     const Vector2d grip = onTangent(angle, each - beyond * kRadius);
@@ -107,7 +107,7 @@ TEST(ExtendedRow, GripsLieOnTheTangentsWhereTheSurfaceEnds) {
     EXPECT_GT(row->fits[2].fit.hausdorff, 0.1);
     // Without a surface beyond that is the same as to go straight on.
     if (beyond > 0) continue;
-    const Result<Sweep> straight = rowOf(cylinder(0.4), asking(Extension::straight));
+    const Result<Sweep> straight = extendedRowOf(cylinder(0.4), asking(Extension::straight));
     ASSERT_TRUE(straight);
     for (std::size_t i = 0; i < straight->poses.size(); ++i)
       EXPECT_LT((straight->poses[i].rightPoint() - row->poses[i].rightPoint()).norm(), 1e-9);
@@ -119,7 +119,7 @@ TEST(ExtendedRow, TheBranchIsTheNearestOfAllThatHaveTheseGrips) {
   const auto wave = [](double x) { return 700 + 25 * std::sin(kPi * x / 260); };
   const std::vector<Section> sections =
       test::sectionsOf(3, 100, [&](int) { return test::graphCurve(260, wave, 961); });
-  const Result<Sweep> row = rowOf(sections, asking(Extension::straight));
+  const Result<Sweep> row = extendedRowOf(sections, asking(Extension::straight));
   ASSERT_TRUE(row) << row.error().message;
   const BladePose& pose = row->poses[1];
   const Elastica::State end = pose.blade.at(pose.blade.length());
@@ -152,7 +152,7 @@ TEST(ExtendedRow, TheBranchIsTheNearestOfAllThatHaveTheseGrips) {
 
 TEST(ExtendedRow, ABladeThatLeavesLessThanTheClearanceIsAnErrorThatTellsTheLengthNeeded) {
   const double section = 2 * kHalf * kRadius;
-  const Result<Sweep> row = rowOf(cylinder(0.4), asking(Extension::surface, section + 99));
+  const Result<Sweep> row = extendedRowOf(cylinder(0.4), asking(Extension::surface, section + 99));
   ASSERT_FALSE(row);
   EXPECT_EQ(row.error().code, ErrorCode::badInput);
   EXPECT_NE(row.error().message.find("leaves less than the clearance of 50 mm at both ends of the section"),
@@ -160,14 +160,14 @@ TEST(ExtendedRow, ABladeThatLeavesLessThanTheClearanceIsAnErrorThatTellsTheLengt
       << row.error().message;
   const OtherLength* needed = remedyOf<OtherLength>(row.error().remedies);
   ASSERT_TRUE(needed);
-  EXPECT_TRUE(rowOf(cylinder(0.4), asking(Extension::surface, needed->length)));
+  EXPECT_TRUE(extendedRowOf(cylinder(0.4), asking(Extension::surface, needed->length)));
 }
 
 TEST(ExtendedRow, TheHeavyBladeHangsBetweenTheSameGrips) {
   test::RowSettings settings = asking(Extension::surface);
   settings.weight = -4 * settings.blade.weight() * Vector3d::UnitZ();
-  const Result<Sweep> heavy = rowOf(cylinder(0.4), settings);
-  const Result<Sweep> light = rowOf(cylinder(0.4), asking(Extension::surface));
+  const Result<Sweep> heavy = extendedRowOf(cylinder(0.4), settings);
+  const Result<Sweep> light = extendedRowOf(cylinder(0.4), asking(Extension::surface));
   ASSERT_TRUE(heavy && light);
   for (std::size_t i = 0; i < heavy->poses.size(); ++i) {
     const BladePose &hangs = heavy->poses[i], &rests = light->poses[i];
@@ -191,7 +191,7 @@ TEST(ExtendedRow, WhatLiesBeyondIsMovedWithTheSection) {
 }
 
 TEST(ExtendedRow, IsFoundAnewRatherThanFollowed) {
-  const Result<Sweep> row = rowOf(cylinder(0.4), asking(Extension::surface));
+  const Result<Sweep> row = extendedRowOf(cylinder(0.4), asking(Extension::surface));
   ASSERT_TRUE(row);
   EXPECT_FALSE(LiveRow::of(*row, {})) << "a row that follows the hand chooses its grips itself";
 }

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLength = 800, kRadius = 97.5;  // mm; the smallest of all presets
+constexpr double kLength = 800, kTightest = 97.5;  // mm; the smallest of all presets
 
 double lowestOf(const Box& block, const std::vector<Vector3d>& points) {
   double lowest = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ TEST(LowestPlace, IsThatOfAFinelySampledBlade) {
     const Vector2d force(60 * number(random), 60 * number(random));
     const Result<Elastica> blade = Elastica::make({0, 0}, kPi * number(random), 8 * number(random) / kLength,
                                                   force / (kLength * kLength), kLength);
-    if (!blade || blade->maxCurvature() > 1 / kRadius) continue;
+    if (!blade || blade->maxCurvature() > 1 / kTightest) continue;
     ++tried;
     const Box block = lying(random);
     BladePose pose;

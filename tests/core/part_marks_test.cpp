@@ -10,6 +10,7 @@
 #include "bw/core/design/design_difference.h"
 #include "bw/core/design/design_versions.h"
 #include "bw/core/design/variables.h"
+#include "read_design.h"
 
 namespace bw {
 
@@ -30,27 +31,20 @@ json wall() {
   })");
 }
 
-Design designOf(const json& object) {
-  Result<Design> design = parseDesign(object.dump());
-  EXPECT_TRUE(design) << design.error().message;
-  return design.value_or(Design{});
-}
-
-std::string errorOf(json object, const char* key, const json& value) {
+std::string errorWith(json object, const char* key, const json& value) {
   object[key] = value;
-  const Result<Design> design = parseDesign(object.dump());
-  return design ? "accepted" : design.error().message;
+  return test::errorOf(object);
 }
 
 }  // namespace
 
 TEST(PartMarks, AreKeptByTheFileAndByWhatChangesTheDesign) {
-  const Design design = designOf(wall());
+  const Design design = test::designOf(wall().dump());
   EXPECT_EQ(design.marks.hidden.stock, std::set<std::string>{"column-2"});
   EXPECT_EQ(design.marks.hidden.stations, (std::set<std::string>{"c-column-1", "c-column-2"}));
   EXPECT_EQ(design.marks.locked.cuts, std::set<std::string>{"c-column-1"});
   EXPECT_EQ(design.marks.locked.sources, std::set<std::string>{"face"});
-  EXPECT_EQ(designOf(json::parse(designToJson(design))), design);
+  EXPECT_EQ(test::designOf(designToJson(design)), design);
   EXPECT_EQ(withVariables(design, {{"width", 650}}).value().marks, design.marks);
   // A name for a state, and going back to one, leave them as they are now.
   Design named = withVersion(design, "first").value();
@@ -58,11 +52,11 @@ TEST(PartMarks, AreKeptByTheFileAndByWhatChangesTheDesign) {
   EXPECT_EQ(named.versions.front().design->marks, PartMarks());
   named.marks.hidden = {};
   EXPECT_EQ(atVersion(named, "first").value().marks, named.marks);
-  EXPECT_EQ(designOf(json::parse(designToJson(named))), named);
+  EXPECT_EQ(test::designOf(designToJson(named)), named);
 }
 
 TEST(PartMarks, AreNothingThatDesignsDifferBy) {
-  const Design design = designOf(wall());
+  const Design design = test::designOf(wall().dump());
   Design bare = design;
   bare.marks = {};
   EXPECT_TRUE(differences(design, bare).empty());
@@ -72,7 +66,7 @@ TEST(PartMarks, AreNothingThatDesignsDifferBy) {
 }
 
 TEST(PartMarks, OfPartsThatAreGoneAreNotWritten) {
-  Design design = designOf(wall());
+  Design design = test::designOf(wall().dump());
   design.marks.hidden.cuts = {"of before", "c-column-2"};
   design.marks.locked.stock = {"of before"};
   const json written = json::parse(designToJson(design));
@@ -82,17 +76,18 @@ TEST(PartMarks, OfPartsThatAreGoneAreNotWritten) {
 }
 
 TEST(PartMarks, ThatCannotBeAreRefused) {
-  EXPECT_EQ(errorOf(wall(), "hidden", {{"cuts", {"c"}}}),
+  EXPECT_EQ(errorWith(wall(), "hidden", {{"cuts", {"c"}}}),
             "design.hidden.cuts names \"c\", but the design has no cut of that id; take it out of the list");
-  EXPECT_EQ(errorOf(wall(), "hidden", {{"stock", "column-2"}}), "design.hidden.stock must be a list of ids");
-  EXPECT_EQ(errorOf(wall(), "locked", {{"sources", {7}}}), "design.locked.sources must be a list of ids");
-  EXPECT_NE(errorOf(wall(), "locked", {{"stations", {"c-column-1"}}}).find("stations"), std::string::npos);
-  EXPECT_NE(errorOf(wall(), "hidden", {{"cut", json::array()}}).find("did you mean \"cuts\""),
+  EXPECT_EQ(errorWith(wall(), "hidden", {{"stock", "column-2"}}),
+            "design.hidden.stock must be a list of ids");
+  EXPECT_EQ(errorWith(wall(), "locked", {{"sources", {7}}}), "design.locked.sources must be a list of ids");
+  EXPECT_NE(errorWith(wall(), "locked", {{"stations", {"c-column-1"}}}).find("stations"), std::string::npos);
+  EXPECT_NE(errorWith(wall(), "hidden", {{"cut", json::array()}}).find("did you mean \"cuts\""),
             std::string::npos);
-  EXPECT_NE(errorOf(wall(), "hiden", json::object()).find("did you mean \"hidden\""), std::string::npos);
+  EXPECT_NE(errorWith(wall(), "hiden", json::object()).find("did you mean \"hidden\""), std::string::npos);
   json state = wall();
   state["versions"] = {{{"name", "first"}, {"design", wall()}}};
-  EXPECT_NE(errorOf(state, "name", "Wall").find("design.versions[0].design has the key hidden"),
+  EXPECT_NE(errorWith(state, "name", "Wall").find("design.versions[0].design has the key hidden"),
             std::string::npos);
 }
 

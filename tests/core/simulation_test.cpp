@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadius = 700, kHalf = 250;
+constexpr double kRadius = 700, kHalfWide = 250;
 
 /// A row on a sphere with all that a program is made of.
 struct Made {
@@ -48,9 +48,9 @@ struct Made {
   static Sweep rowOf(const test::RowSettings& settings) {
     const std::vector<double> travel = {0, 40, 80, 120, 160};
     Findings findings;
-    const Box block{Frame{{-kHalf, -161, 0}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
-                    {2 * kHalf, 162, 2 * kRadius}};
-    return buildSweep(test::sphereSections(kRadius, kHalf, travel), settings, block,
+    const Box block{Frame{{-kHalfWide, -161, 0}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+                    {2 * kHalfWide, 162, 2 * kRadius}};
+    return buildSweep(test::sphereSections(kRadius, kHalfWide, travel), settings, block,
                       PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings)
         .value();
   }
@@ -130,7 +130,7 @@ TEST(Simulation, CornersAreParabolasWithinTheirZones) {
   // Three targets of a blade held straight, in an angle: in the middle the corner is missed by a quarter of
   // what both moves go in the time of the zone; one that is larger than half of them is that long.
   Motion motion;
-  motion.block = test::blockUnder(kHalf, 80, -200, 200);
+  motion.block = test::blockUnder(kHalfWide, 80, -200, 200);
   motion.bladeLength = 500;
   const auto at = [](double time, double travel, double height, double zone) {
     const Eigen::Quaterniond right(Eigen::AngleAxisd(kPi, Vector3d::UnitY()));

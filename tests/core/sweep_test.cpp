@@ -233,8 +233,8 @@ struct Analysed {
   }
 };
 
-Analysed analysed(const std::vector<Section>& sections, const test::RowSettings& settings,
-                  const SurfaceSampler& target) {
+Analysed analysedOn(const std::vector<Section>& sections, const test::RowSettings& settings,
+                    const SurfaceSampler& target) {
   Findings findings;
   Result<Sweep> sweep =
       buildSweep(sections, settings, sphereBlock(),
@@ -258,7 +258,7 @@ TEST(SweepAnalysis, MeansAreOverTheAreaWhereverTheStationsLie) {
   addTravel(travel, 0, 99, 1);
   addTravel(travel, 100, kWidth, 25);
   const Analysed straight =
-      analysed(straightSections(travel, 1, [](double) { return 0.0; }), settings, leaning);
+      analysedOn(straightSections(travel, 1, [](double) { return 0.0; }), settings, leaning);
   const double largest = kSlope * kWidth;
   EXPECT_NEAR(straight.analysis.summary.deviationMax, largest, 1e-9);
   EXPECT_NEAR(straight.analysis.summary.deviationMean, largest / 2, 1e-9);
@@ -267,7 +267,7 @@ TEST(SweepAnalysis, MeansAreOverTheAreaWhereverTheStationsLie) {
   EXPECT_NEAR(straight.analysis.summary.withinTolerance, settings.tolerance / largest, 1.25 / kWidth);
   EXPECT_NEAR(straight.analysis.summary.angleMean, 0, 1e-12);
   const Analysed sheared =
-      analysed(straightSections(travel, 1, [](double t) { return t * t / (2 * kQ); }), settings, leaning);
+      analysedOn(straightSections(travel, 1, [](double t) { return t * t / (2 * kQ); }), settings, leaning);
   EXPECT_NEAR(sheared.analysis.summary.deviationMean, largest / 2, 1e-3);
   EXPECT_NEAR(sheared.analysis.summary.angleMean,
               std::atan(kWidth / kQ) - kQ / (2 * kWidth) * std::log1p(std::pow(kWidth / kQ, 2)), 1e-3);
@@ -277,8 +277,8 @@ TEST(SweepAnalysis, EvenStationsHaveEvenRows) {
   for (const auto& [stations, between] : {std::pair{2, 64}, {9, 30}, {60, 4}, {200, 2}}) {
     std::vector<double> travel;
     addTravel(travel, 0, 0.7 * (stations - 1), 0.7);
-    const Analysed even = analysed(straightSections(travel, 0.7, [](double) { return 0.0; }),
-                                   test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+    const Analysed even = analysedOn(straightSections(travel, 0.7, [](double) { return 0.0; }),
+                                     test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
     for (int i = 0; i < stations; ++i) EXPECT_EQ(even.analysis.stationRow[std::size_t(i)], i * between);
   }
 }
@@ -290,8 +290,8 @@ TEST(SweepAnalysis, GapInsideTheRowIsAnError) {
   addTravel(travel, -300, -kGap, 10);
   addTravel(travel, kGap, 300, 10);
   const test::RowSettings settings;
-  const Analysed halves = analysed(straightSections(travel, 10, [](double) { return 0.0; }), settings,
-                                   test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
+  const Analysed halves = analysedOn(straightSections(travel, 10, [](double) { return 0.0; }), settings,
+                                     test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
   EXPECT_NEAR(halves.analysis.summary.deviationMax, 0, 1e-9);
   const Finding* gap = halves.finding<GapInRow>();
   ASSERT_TRUE(gap);
@@ -306,7 +306,7 @@ TEST(SweepAnalysis, GapInsideTheRowIsAnError) {
   std::vector<Section> rising = straightSections(travel, 10, [](double) { return 0.0; });
   for (Section& section : rising)
     section.frame.origin.z() = 0.15 * std::max(0.0, 110 - std::abs(section.travel));
-  const Analysed off = analysed(rising, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
+  const Analysed off = analysedOn(rising, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
   const TooFar* far = off.cause<TooFar>();
   ASSERT_TRUE(far);
   EXPECT_EQ(far->source, TooFar::Source::gap);
@@ -320,7 +320,7 @@ TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
   addTravel(travel, -100, 100, 10);
   std::vector<Section> sections = straightSections(travel, 10, [](double) { return 0.0; });
   for (Section& section : sections) section.index += 5;
-  EXPECT_FALSE(analysed(sections, test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
+  EXPECT_FALSE(analysedOn(sections, test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
                    .finding<GapInRow>());
 }
 
@@ -328,8 +328,8 @@ TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
   std::vector<double> travel;
   for (int i = 0; i < 40; ++i)
     if (i % 5 != 3 && i != 22 && i != 24) travel.push_back(10.0 * i);
-  const Analysed gaps = analysed(straightSections(travel, 10, [](double) { return 0.0; }),
-                                 test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  const Analysed gaps = analysedOn(straightSections(travel, 10, [](double) { return 0.0; }),
+                                   test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   EXPECT_EQ(std::ranges::count(gaps.analysis.findings, FindingKind::gap, &Finding::kind), 1);
   EXPECT_EQ(gaps.finding<GapInRow>()->where.stations->first, 21);
   EXPECT_EQ(gaps.finding<GapInRow>()->where.stations->last, 25);
@@ -342,7 +342,7 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
   settings.tolerance = 0.1;
   const test::SphereSampler sphere(kRadius);
   const auto found = [&](int stations, const SurfaceSampler& target) {
-    return analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, target);
+    return analysedOn(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, target);
   };
   const Analysed few = found(2, sphere);
   ASSERT_TRUE(few.cause<TooFar>());
@@ -384,14 +384,14 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
     return result;
   };
   const test::PlaneSampler plane(Eigen::Vector3d::UnitZ());
-  const Analysed shortBlade = analysed(sections(), settings, plane);
+  const Analysed shortBlade = analysedOn(sections(), settings, plane);
   const Finding* grip = shortBlade.finding<GripTooNear>();
   ASSERT_TRUE(grip);
   EXPECT_EQ(grip->severity, Severity::error);
   ASSERT_TRUE(remedyOf<OtherLength>(grip->remedies));
   EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 707);  // in steps of a hundredth
   settings.blade.length = 707;
-  EXPECT_FALSE(analysed(sections(), settings, plane).finding<GripTooNear>());
+  EXPECT_FALSE(analysedOn(sections(), settings, plane).finding<GripTooNear>());
 }
 
 TEST(SweepAnalysis, TellsWhereTheBladeComesNearToTheFaceThatTheBlockLiesOn) {
@@ -445,7 +445,7 @@ TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   settings.blade.length = 300;
   std::vector<Section> sections = straightSections({0, 10, 20, 30, 40}, 10, [](double) { return 0.0; });
   for (Section& section : sections) section.curve() = test::arc({0, 1275}, 100, kPi / 2 + 0.8, kPi / 2 - 0.8);
-  const Analysed circles = analysed(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  const Analysed circles = analysedOn(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   const Finding* grip = circles.finding<GripTooNear>();
   ASSERT_TRUE(grip);
   EXPECT_FALSE(circles.cause<GripTooNear>()->unheldLength);
@@ -459,8 +459,8 @@ TEST(SweepAnalysis, BladeThatKeepsTheClearanceIsTrue) {
   settings.clearance = 500;
   const auto found = [&](double length) -> std::optional<Finding> {
     settings.blade.length = length;
-    const Analysed row = analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), settings,
-                                  test::SphereSampler(kRadius));
+    const Analysed row = analysedOn(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), settings,
+                                    test::SphereSampler(kRadius));
     const Finding* finding = row.finding<GripTooNear>();
     return finding ? std::optional(*finding) : std::nullopt;
   };
@@ -706,7 +706,7 @@ TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
   settings.clearance = 300;
   std::vector<Section> sections = bulgeSections();
   for (Section& section : sections) section.frame.origin.z() = 1375;
-  const Analysed waves = analysed(sections, settings, test::SphereSampler(kRadius));
+  const Analysed waves = analysedOn(sections, settings, test::SphereSampler(kRadius));
   const Finding* grip = waves.finding<GripTooNear>();
   ASSERT_TRUE(grip);
   EXPECT_TRUE(waves.cause<GripTooNear>()->unheldLength);

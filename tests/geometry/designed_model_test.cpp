@@ -25,7 +25,7 @@ SplineSurface somePoles() {
   return splineOf(DesignedSurface{surface}).value();
 }
 
-Setup setupOf(const Target& target) {
+Setup designedSetup(const Target& target) {
   Findings findings;
   SetupRequest request;
   request.block = BlockPlacement{{0, 0, 0}, {600, 800, 500}, Eigen::Vector3d::Zero()};
@@ -47,8 +47,8 @@ TEST(DesignedModel, IsTheFaceThatTheSameSurfaceMakesThroughAFile) {
   EXPECT_LT((model.info().bounds.min - read.info().bounds.min).norm(), 1e-6);
   EXPECT_LT((model.info().bounds.max - read.info().bounds.max).norm(), 1e-6);
   const Target one = Target::make(model, {}).value(), other = Target::make(read, {}).value();
-  const geometry::Setup setup = setupOf(one);
-  ASSERT_EQ(setup, setupOf(other));
+  const geometry::Setup setup = designedSetup(one);
+  ASSERT_EQ(setup, designedSetup(other));
   Findings findings;
   const auto sections = cutSections(one, setup, {33, {}}, {}, findings).value();
   const auto others = cutSections(other, setup, {33, {}}, {}, findings).value();
@@ -84,7 +84,7 @@ TEST(DesignedModel, OfALoftWithKnotsAcrossAndOfAFormulaToo) {
     const CadModel model = CadModel::of(spline, "designed").value();
     const Target target = Target::make(model, {}).value();
     Findings findings;
-    const auto sections = cutSections(target, setupOf(target), {9, {}}, {}, findings);
+    const auto sections = cutSections(target, designedSetup(target), {9, {}}, {}, findings);
     ASSERT_TRUE(sections) << sections.error().message;
     for (const Section& section : *sections) EXPECT_GE(section.chosen, 0);
   }

@@ -28,7 +28,7 @@ std::vector<double> uneven(int n) {
   return v;
 }
 
-Eigen::Vector3d wavy(double u, double v) {
+Eigen::Vector3d wavyPlace(double u, double v) {
   return {600 * u, 700 * v, 80 * std::sin(3 * u) * std::cos(2 * v)};
 }
 
@@ -65,7 +65,7 @@ TEST(Loft, ConvergesWithFourthOrder) {
     double worst = 0;
     for (double u = 0; u <= 1; u += 0.0113)
       for (double t = 0; t <= 1; t += 0.0127)
-        worst = std::max(worst, (surface->value(u, t) - wavy(u, t)).norm());
+        worst = std::max(worst, (surface->value(u, t) - wavyPlace(u, t)).norm());
     return worst;
   };
   EXPECT_GT(error(11) / error(21), 12);

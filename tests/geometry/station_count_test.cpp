@@ -22,7 +22,7 @@ std::string waves(double height, double periods) {
       241, 9);
 }
 
-geometry::Setup setupOf(const Target& target) {
+geometry::Setup usualSetup(const Target& target) {
   Findings findings;
   const auto setup = resolveSetup(target, {{}, Eigen::Vector3d::UnitY()}, findings);
   EXPECT_TRUE(setup) << setup.error().message;
@@ -32,7 +32,7 @@ geometry::Setup setupOf(const Target& target) {
 StationCount countOf(const Target& target, double tolerance, int threads = 0) {
   RunContext context;
   context.threads = threads;
-  const auto count = stationsFor(target, setupOf(target), tolerance, context);
+  const auto count = stationsFor(target, usualSetup(target), tolerance, context);
   EXPECT_TRUE(count) << count.error().message;
   return *count;
 }
@@ -128,12 +128,12 @@ TEST(StationCount, ACreaseTakesTheMost) {
 
 TEST(StationCount, ErrorsAreThoseOfTheRow) {
   const Target target = targetOf(waves(60, 1));
-  geometry::Setup away = setupOf(target);
+  geometry::Setup away = usualSetup(target);
   away.block.frame.origin.z() += 5000;
   away.planes = PlaneFamily::across(away.block, Eigen::Vector3d::UnitY());
   expectError(stationsFor(target, away, 2, {}), ErrorCode::badInput, "no plane across the cutting direction");
   Findings findings;
-  expectError(cutSections(target, setupOf(target), {}, {}, findings), ErrorCode::internal, "stations");
+  expectError(cutSections(target, usualSetup(target), {}, {}, findings), ErrorCode::internal, "stations");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using sample::replace;
 
-const std::string kLeft = "T_ROB1/BladeLeft.mod", kRight = "T_ROB2/BladeRight.mod";
+const std::string kLeftFile = "T_ROB1/BladeLeft.mod", kRightFile = "T_ROB2/BladeRight.mod";
 
 Program programOf(const std::string& run, int instants = 5) {
   ProgramNotes options;
@@ -55,7 +55,7 @@ TEST(RunHead, OneSideOfAnotherRunIsAnError) {
   const Program a = programOf(kRunA);
   Program mixed = programOf(kRunB);
   EXPECT_TRUE(sample::check(mixed).empty());
-  sample::file(mixed, kLeft) = a[0].bytes;
+  sample::file(mixed, kLeftFile) = a[0].bytes;
   EXPECT_EQ(count(mixed, "rapid-run", kRunA), 1);
   EXPECT_EQ(count(mixed, "rapid-run", kRunB), 1);
 }
@@ -74,10 +74,10 @@ TEST(RunHead, OnePartOfAnotherRunIsAnError) {
 
 TEST(RunHead, AModuleOfAVersionThatNamedNoRunIsAnErrorBesideOneThatDoes) {
   Program mixed = programOf(kRunA);
-  ASSERT_TRUE(replace(sample::file(mixed, kRight),
+  ASSERT_TRUE(replace(sample::file(mixed, kRightFile),
                       "    ! Run " + kRunA + ", task T_ROB2, free blade length 800.0000 mm\r\n", ""));
   EXPECT_EQ(count(mixed, "rapid-run", "does not name"), 1);
-  ASSERT_TRUE(replace(sample::file(mixed, kLeft),
+  ASSERT_TRUE(replace(sample::file(mixed, kLeftFile),
                       "    ! Run " + kRunA + ", task T_ROB1, free blade length 800.0000 mm\r\n", ""));
   EXPECT_TRUE(sample::check(mixed).empty()) << "a program of such a version is as good as it was";
 }
@@ -89,7 +89,7 @@ TEST(RunHead, ADamagedLineIsAnError) {
         "! Run 00112233445566aa; 800 mm", "! Run 00112233445566aa, task , free blade length 800.0000 mm",
         "! Run 00112233445566aa, task T ROB, free blade length 800.0000 mm", "! Run"}) {
     Program program = programOf(kRunA);
-    ASSERT_TRUE(replace(sample::file(program, kLeft),
+    ASSERT_TRUE(replace(sample::file(program, kLeftFile),
                         "! Run " + kRunA + ", task T_ROB1, free blade length 800.0000 mm", line));
     EXPECT_GE(count(program, "rapid-run"), 1) << line;
   }
@@ -130,7 +130,7 @@ TEST(RunHead, TheProgramsOfTheTwoRobotsExchangedAreAnError) {
 
 TEST(RunHead, BladesOfDifferentLengthsAreAnError) {
   Program program = programOf(kRunA);
-  ASSERT_TRUE(replace(sample::file(program, kRight), "length 800.0000 mm", "length 810.0000 mm"));
+  ASSERT_TRUE(replace(sample::file(program, kRightFile), "length 800.0000 mm", "length 810.0000 mm"));
   EXPECT_EQ(count(program, "rapid-rule-16", "810"), 1);
 }
 

@@ -29,7 +29,7 @@ SourceRequest sourceRequest(const Design& design, const Source& source) {
 }
 
 /// Of the surface itself: what is equal gives equal results.
-Fingerprint fingerprintOf(const SplineSurface& surface) {
+Fingerprint fingerprintOfSpline(const SplineSurface& surface) {
   std::string bytes;
   const auto add = [&bytes](const auto& numbers) {
     for (const auto& number : numbers) bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -46,7 +46,7 @@ Result<CadSource> makeSource(const DesignedSurface& surface) {
   if (!spline) return tl::unexpected<Error>(spline.error());
   Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
   if (!model) return tl::unexpected<Error>(model.error());
-  return CadSource{std::move(*model), fingerprintOf(*spline)};
+  return CadSource{std::move(*model), fingerprintOfSpline(*spline)};
 }
 
 Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Findings& findings) {

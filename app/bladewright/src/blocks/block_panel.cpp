@@ -14,7 +14,7 @@ constexpr int kBeside = 700;        // px: in a narrower panel the parts stand b
 constexpr int kDetailsWidth = 408;  // px, at least, of what stands beside the plan
 constexpr int kNumbersWidth = 264;  // px
 constexpr int kLeastHeight = 60;    // px, of the same
-constexpr int kIcon = 16;
+constexpr int kStandingIcon = 16;
 
 }  // namespace
 
@@ -109,7 +109,7 @@ void BlockPanel::refreshState() {
   const BlockStanding standing = standingOf(bench_, block);
   title_->setText(QString::fromStdString(block));
   const QColor colour = theme_.colours().*standing.colour;
-  icon_->setPixmap(Theme::pixmap(standing.icon, colour, kIcon, devicePixelRatioF()));
+  icon_->setPixmap(Theme::pixmap(standing.icon, colour, kStandingIcon, devicePixelRatioF()));
   state_->setText(plan_->wordOf(block));
   for (QLabel* label : {icon_, state_}) label->setToolTip(standing.tip);
 }
