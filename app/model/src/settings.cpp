@@ -87,7 +87,8 @@ HandleHabits Settings::handles() const {
   const HandleHabits usual;
   HandleHabits habits{store_.value("handles/symmetric", usual.symmetric).toBool(),
                       store_.value("handles/snapping", usual.snapping).toBool(),
-                      store_.value("handles/grid", usual.grid).toDouble()};
+                      store_.value("handles/grid", usual.grid).toDouble(),
+                      store_.value("handles/meeting", usual.meeting).toBool()};
   // A number that somebody wrote there by hand may be none.
   if (!(habits.grid > 0 && habits.grid <= kWidestGrid)) habits.grid = usual.grid;
   return habits;
@@ -97,6 +98,7 @@ void Settings::setHandles(const HandleHabits& habits) {
   store("handles/symmetric", habits.symmetric);
   store("handles/snapping", habits.snapping);
   store("handles/grid", habits.grid);
+  store("handles/meeting", habits.meeting);
 }
 
 QByteArray Settings::layout(const QString& part) const {

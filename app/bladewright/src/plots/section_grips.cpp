@@ -9,7 +9,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kDisc = 4, kLitDisc = 5.5, kRim = 1.5, kReach = 9, kBar = 6;  // px
+constexpr double kDisc = 4, kLitDisc = 5.5, kRim = 1.5, kReach = 9, kTick = 6, kMark = 10;  // px
 
 QPointF pixelOf(const SectionFrame& frame, const Eigen::Vector2d& place) {
   return frame.toArea.map(QPointF(place.x(), place.y()));
@@ -37,7 +37,16 @@ void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips
     painter.drawLine(from, to);
     painter.setPen(QPen(c.error, 2));
     for (const auto& [ends, at] : {std::pair(way.endsAtFrom, from), std::pair(way.endsAtTo, to)})
-      if (ends) painter.drawLine(at - QPointF(kBar, 0), at + QPointF(kBar, 0));
+      if (ends) painter.drawLine(at - QPointF(kTick, 0), at + QPointF(kTick, 0));
+  }
+  for (const SectionGrips::Meeting& meeting : grips.meetings) {
+    const QPointF at = pixelOf(frame, meeting.at);
+    painter.setPen(QPen(c.accent, 1, Qt::DashLine));
+    painter.drawLine(pixelOf(frame, meeting.from), pixelOf(frame, meeting.to));
+    painter.setPen(QPen(c.accent, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(QPolygonF(
+        {at + QPointF(kMark, 0), at + QPointF(0, kMark), at - QPointF(kMark, 0), at - QPointF(0, kMark)}));
   }
   for (const SectionGrips::Grip& grip : grips.grips) {
     painter.setPen(QPen(c.panel, kRim));

@@ -30,6 +30,11 @@ struct SectionGrips {
   };
   std::vector<Grip> grips;
   std::vector<Way> ways;
+  /// What the one that is held was brought in line with: its place, and the line on which both lie.
+  struct Meeting {
+    Eigen::Vector2d at, from, to;
+  };
+  std::vector<Meeting> meetings;
   QString text;          ///< of the one that is held
   bool stopped = false;  ///< it goes no farther
 };
@@ -39,7 +44,7 @@ using FindGrips = std::function<SectionGrips(const Frame& plane, double reach)>;
 /// The grip at a pixel; −1 if there is none.
 int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& pixel);
 
-/// Discs at the grips, and the ways of those that are moved.
+/// Discs at the grips, the ways of those that are moved, and what they were brought in line with.
 void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips,
                 const Colours& colours);
 

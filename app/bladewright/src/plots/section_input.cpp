@@ -82,7 +82,8 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
   if (hold_) {
-    emit gripMoved(hold_->seen.toPlane(cursor_).y() - hold_->height, hold_->way, event->modifiers());
+    emit gripMoved(hold_->seen.toPlane(cursor_).y() - hold_->height, 1 / hold_->seen.scale, hold_->way,
+                   event->modifiers());
     return update();
   }
   if (!grabbed_.isNull() && drawing_.station >= 0) {

@@ -52,7 +52,8 @@ class SectionView : public QWidget {
   /// A point of the surface is pressed, moved along `way` (unit, in the file's frame) by so many mm from
   /// where it was taken hold of, and let go of; `givenUp`: what it did is to be undone.
   void gripPressed(int handle, Qt::KeyboardModifiers keys);
-  void gripMoved(double by, const Eigen::Vector3d& way, Qt::KeyboardModifiers keys);
+  /// `pixel`: mm of a pixel.
+  void gripMoved(double by, double pixel, const Eigen::Vector3d& way, Qt::KeyboardModifiers keys);
   void gripReleased(bool givenUp);
 
  protected:

@@ -12,14 +12,22 @@
 #include "controls/numbers.h"
 #include "window/handle_ray.h"
 #include "window/handle_reach.h"
+#include "workbench/block_layout.h"
 #include "workflow/section_edits.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr double kCoarse = 10;   // steps
-constexpr int kCurveParts = 32;  // of a key blade
+constexpr double kCoarse = 10;                    // steps
+constexpr int kCurveParts = 32;                   // of a key blade
+constexpr double kSnapReach = 6, kSnapMark = 14;  // pixels
+
+/// Without the last digits that a turned frame leaves of a round number.
+double withoutNoise(double mm) {
+  constexpr double kDigits = 1e8;
+  return std::round(mm * kDigits) / kDigits;
+}
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -108,6 +116,11 @@ void SurfaceHandles::setSnapping(bool on) {
 
 void SurfaceHandles::setGrid(double spacing) {
   habits_.grid = spacing;
+  bench_.settings().setHandles(habits_);
+}
+
+void SurfaceHandles::setMeeting(bool on) {
+  habits_.meeting = on;
   bench_.settings().setHandles(habits_);
 }
 
@@ -226,6 +239,7 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
   handles.text = tr("%1: %2").arg(nameOf(handles.lit), lengthText(height)).toStdString();
   if (!pull_ || handles.lit != pull_->handle) return;
   handles.text += pullText();
+  markSnaps(handles);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   handles.stopped = pull_->stoppedBy || (reach && reach->now != pipeline::Bar::none);
   if (reach && reach->now == pipeline::Bar::none) handles.ways = ways(*reach);
@@ -251,6 +265,43 @@ std::vector<scene::HandleWay> SurfaceHandles::ways(const pipeline::Reach& reach)
   return ways;
 }
 
+std::vector<Snap> SurfaceHandles::snapped() const {
+  // Not where it was stopped on its way there.
+  return pull_ && pull_->by == pull_->wished ? pull_->snaps : std::vector<Snap>();
+}
+
+SnapThings SurfaceHandles::snapThings() const {
+  SnapThings things;
+  const std::vector<StockBlock>& stock = bench_.design().stock;
+  for (const StockBlock& block : stock) {
+    const std::optional<BlockPlacement> placed =
+        block.id == bench_.block().id ? placementOf(bench_) : block.placement;
+    const QString name = stock.size() > 1 ? QString::fromStdString(block.id) : tr("the block");
+    if (placed) things.blocks.push_back({name, placed->box()});
+  }
+  const std::vector<Eigen::Vector3d> places = placesOf(pull_->base);
+  const std::vector<Eigen::Vector3d> moved = placesOf(movedBy(pull_->base, held(), {0, 1}, symmetric()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (moved[i] == places[i]) things.points.push_back({nameOf(int(i)).toLower(), places[i]});
+  return things;
+}
+
+void SurfaceHandles::markSnaps(scene::Handles& handles) const {
+  const std::vector<Snap> snaps = snapped();
+  if (snaps.empty()) return;
+  for (const Snap& snap : snaps) handles.curves.push_back({snap.line[0], snap.line[1]});
+  // A square on its corner about the handle, as it is seen.
+  const Eigen::Vector3d& at = handles.points[std::size_t(pull_->handle)];
+  const QPointF pixel = view_->toWidget(at);
+  const Eigen::Vector3d sight = view_->rayAt(pixel).second;
+  const Eigen::Vector3d right = sight.cross(view_->camera().up).normalized(), up = right.cross(sight);
+  const QPointF away = view_->toWidget(at + right) - pixel;
+  const double size = kSnapMark / std::hypot(away.x(), away.y());
+  if (!std::isfinite(size)) return;
+  handles.curves.push_back(
+      {at + size * right, at + size * up, at - size * right, at - size * up, at + size * right});
+}
+
 std::string SurfaceHandles::pullText() const {
   const double by = *numberOf(*surfaceOf(bench_), pull_->handle, pull_->number) -
                     *numberOf(pull_->from, pull_->handle, pull_->number);
@@ -271,6 +322,9 @@ std::string SurfaceHandles::pullText() const {
       text += "\n" + tr("%1 handles together: %2 mm at most").arg(moved.size()).arg(ends.join(", "));
   }
   if (pull_->stoppedBy) text += "\n" + tr("Goes no farther: %1").arg(wordsOf(*pull_->stoppedBy));
+  QStringList things;
+  for (const Snap& snap : snapped()) things << snap.words;
+  if (!things.isEmpty()) text += "\n" + tr("Snapped to %1").arg(things.join(tr(" and ")));
   return text.toStdString();
 }
 
@@ -318,17 +372,29 @@ void SurfaceHandles::seek() {
 
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held || pull_->handle != handle) return;
-  if (const std::optional<double> at =
-          alongWay(*view_, position, placesOf(pull_->base)[std::size_t(handle)], way()))
-    drag(*at - pull_->began, keys);
+  const Eigen::Vector3d from = placesOf(pull_->base)[std::size_t(handle)];
+  const QPointF way1 = view_->toWidget(from + way()) - view_->toWidget(from);
+  if (const std::optional<double> at = alongWay(*view_, position, from, way()))
+    drag(*at - pull_->began, 1 / std::hypot(way1.x(), way1.y()), keys);
 }
 
-void SurfaceHandles::drag(double by, Qt::KeyboardModifiers keys) {
+void SurfaceHandles::drag(double by, double pixel, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held) return;
   const auto [step, share] = handPace(keys, steps());
   // The height, not the way to it, is a round number.
   const double from = pulledFrom();
-  pull_->wished = std::clamp(std::round((from + by * share) / step) * step - from, -kFarthest, kFarthest);
+  double to = std::round((from + by * share) / step) * step;
+  pull_->snaps.clear();
+  if (habits_.meeting && share == 1) {
+    const Eigen::Vector3d place = placesOf(pull_->base)[std::size_t(pull_->handle)];
+    const SnapWay way{place, this->way(), this->way(HandleNumber::across)};
+    if (const std::optional<Snap> snap = snapTo(snapThings(), way, by, kSnapReach * pixel)) {
+      to = withoutNoise(from + snap->by);
+      pull_->snaps.push_back(*snap);
+    }
+  }
+  pull_->wished = std::clamp(to - from, -kFarthest, kFarthest);
+  pull_->to = pull_->wished == to - from ? std::optional(to) : std::nullopt;
   pull_->step = step;
   keepWithin();
 }

@@ -18,15 +18,16 @@
 #include "bw/view/scene_view.h"
 #include "controls/hand_pace.h"
 #include "window/handle_numbers.h"
+#include "window/handle_snap.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
 
 /// The handles of a designed surface in the 3D view: its poles, or the points of its section curves, each
 /// moved up and down. A pole is pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
-/// of these, with Ctrl or Alt by a tenth of the way of the hand. Esc gives a pull up; a click with Shift
-/// chooses several, which move together. Whatever moves them, they stop where the surface can no longer be
-/// cut, as soon as that is known, and say why.
+/// of these, with Ctrl or Alt by a tenth of the way of the hand; without these it may snap to what it comes
+/// in line with. Esc gives a pull up; a click with Shift chooses several, which move together. Whatever moves
+/// them, they stop where the surface can no longer be cut, as soon as that is known, and say why.
 class SurfaceHandles : public QObject {
   Q_OBJECT
 
@@ -53,13 +54,21 @@ class SurfaceHandles : public QObject {
   double grid() const { return habits_.grid; }
   void setSnapping(bool on);
   void setGrid(double spacing);
+  /// Whether the mouse brings them in line with faces and middles of blocks, and with other handles.
+  bool meeting() const { return habits_.meeting; }
+  void setMeeting(bool on);
+  /// What the handle that is held lies in line with, since it was brought there.
+  std::vector<Snap> snapped() const;
+  /// The handle that is moved; −1: none.
+  int pulled() const { return pull_ ? pull_->handle : -1; }
   /// What a move is counted by, mm.
   HandSteps steps() const;
 
   /// A hand takes hold of a handle elsewhere than in the 3D view, moves it by so many mm from there and lets
   /// go of it. With Shift it is chosen with others.
   void grab(int handle, Qt::KeyboardModifiers keys);
-  void drag(double by, Qt::KeyboardModifiers keys);
+  /// `pixel`: mm of a pixel there.
+  void drag(double by, double pixel, Qt::KeyboardModifiers keys);
   void drop(bool givenUp);
   /// Unit, on which a number of the handles moves.
   Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
@@ -113,6 +122,7 @@ class SurfaceHandles : public QObject {
     double step = 1;                                        ///< mm, of the numbers
     double farthest = kFarthest;                            ///< mm, so far its border is sought
     std::optional<pipeline::Bar> stoppedBy = std::nullopt;  ///< why it lags behind the hand
+    std::vector<Snap> snaps = {};                           ///< of where it is wished to be
   };
 
   std::vector<Eigen::Vector3d> places() const;
@@ -133,6 +143,10 @@ class SurfaceHandles : public QObject {
   /// The number that is moved, where `by` is 0.
   double pulledFrom() const;
   void pull(double by, bool live);
+  /// What the handle that is held may snap to: nothing that moves with it.
+  SnapThings snapThings() const;
+  /// Puts what it snapped to into a style.
+  void markSnaps(scene::Handles& handles) const;
   /// Makes the design what it was when the pull began.
   void giveUp();
   QString pullName() const;

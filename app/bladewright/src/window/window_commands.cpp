@@ -320,6 +320,14 @@ void MainWindow::makeHandleCommands() {
                     handles_->setSnapping(true);
                     refreshHandleCommands();
                   });
+  commands_.add({"handles.meet",
+                 tr("Snap to &block and points"),
+                 "",
+                 tr("The mouse brings a handle in line with faces and middles of blocks and with other "
+                    "handles, where it comes near to them; with Ctrl or Alt it does not"),
+                 {QKeySequence("Shift+G")},
+                 true},
+                [this](bool on) { handles_->setMeeting(on); });
   // Of the picture: a field has these keys for itself.
   const auto edit = [this](const char* id, const QString& text, const QString& tip,
                            const QList<QKeySequence>& keys, void (SurfaceHandles::*run)()) {
@@ -349,6 +357,8 @@ void MainWindow::refreshHandleCommands() {
   const bool possible = handles_->possible();
   commands_["handles.symmetric"]->setEnabled(possible);
   commands_["handles.symmetric"]->setChecked(handles_->symmetric());
+  commands_["handles.meet"]->setEnabled(possible);
+  commands_["handles.meet"]->setChecked(handles_->meeting());
   commands_["handles.snap"]->setEnabled(possible);
   commands_["handles.snap"]->setChecked(handles_->snapping());
   for (const int spacing : kHandleGrids) {
@@ -377,7 +387,7 @@ void MainWindow::makeMenus() {
   fill(edit, {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", ""});
   handleMenu_ = edit->addMenu(tr("&Handle"));
   fill(handleMenu_, {"handles.number", "", "handles.addPoint", "handles.removePoint", "handles.addSection",
-                     "handles.removeSection", "", "handles.symmetric", "handles.snap"});
+                     "handles.removeSection", "", "handles.symmetric", "handles.meet", "handles.snap"});
   for (const int spacing : kHandleGrids) fill(handleMenu_, {qUtf8Printable(handleGridCommand(spacing))});
   fill(edit, {"versions.name", "versions.back", ""});
   fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "design.moulds", "blade.measure", "",

@@ -175,12 +175,21 @@ void MainWindow::makeWorkspace() {
   });
   // The section shows what of the picture's handles lies in its plane.
   section_->setGrips([this](const Frame& plane, double reach) {
-    return gripsIn(view_->sceneStyle().handles, handles_->count(), handles_->way(), plane, reach);
+    SectionGrips grips =
+        gripsIn(view_->sceneStyle().handles, handles_->count(), handles_->way(), plane, reach);
+    for (const Snap& snap : handles_->snapped()) {
+      const Eigen::Vector3d at = plane.toLocal(handles_->placeOf(handles_->pulled()));
+      if (std::abs(at.z()) <= reach)
+        grips.meetings.push_back(
+            {at.head<2>(), plane.toLocal(snap.line[0]).head<2>(), plane.toLocal(snap.line[1]).head<2>()});
+    }
+    return grips;
   });
   connect(section_, &SectionView::gripPressed, handles_, &SurfaceHandles::grab);
   connect(section_, &SectionView::gripMoved, handles_,
-          [this](double by, const Eigen::Vector3d& up, Qt::KeyboardModifiers keys) {
-            handles_->drag(by / handles_->way().dot(up), keys);
+          [this](double by, double pixel, const Eigen::Vector3d& up, Qt::KeyboardModifiers keys) {
+            const double share = handles_->way().dot(up);
+            handles_->drag(by / share, pixel / std::abs(share), keys);
           });
   connect(section_, &SectionView::gripReleased, handles_, &SurfaceHandles::drop);
   connect(handles_, &SurfaceHandles::changed, section_, qOverload<>(&QWidget::update));

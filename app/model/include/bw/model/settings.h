@@ -21,6 +21,7 @@ struct HandleHabits {
   bool symmetric = false;  ///< with their mirror images
   bool snapping = false;   ///< from line to line of a grid
   double grid = 10;        ///< mm, its spacing
+  bool meeting = false;    ///< in line with blocks and with other points
   bool operator==(const HandleHabits&) const = default;
 };
 
