@@ -36,8 +36,12 @@ void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips
     painter.setPen(QPen(c.selection, 2));
     painter.drawLine(from, to);
     painter.setPen(QPen(c.error, 2));
+    // Across the way; upright ones are short where nothing is free.
+    const QLineF along(from, to);
+    const QPointF tick =
+        along.length() > 0 ? kTick / along.length() * QPointF(-along.dy(), along.dx()) : QPointF(kTick, 0);
     for (const auto& [ends, at] : {std::pair(way.endsAtFrom, from), std::pair(way.endsAtTo, to)})
-      if (ends) painter.drawLine(at - QPointF(kTick, 0), at + QPointF(kTick, 0));
+      if (ends) painter.drawLine(at - tick, at + tick);
   }
   for (const SectionGrips::Meeting& meeting : grips.meetings) {
     const QPointF at = pixelOf(frame, meeting.at);

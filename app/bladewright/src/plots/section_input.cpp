@@ -53,8 +53,8 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
   else if (const int handle = gripAt(grips(), frame(), event->position());
            handle >= 0 && sectionArea().contains(event->position())) {
     const SectionFrame seen = frame();
-    hold_ = Hold{seen, seen.toPlane(event->position()).y(),
-                 bench_.row()->poses[std::size_t(drawing_.station)].frame.y};
+    hold_ =
+        Hold{seen, seen.toPlane(event->position()), bench_.row()->poses[std::size_t(drawing_.station)].frame};
     cursor_ = event->position();
     emit gripPressed(handle, event->modifiers());
     update();
@@ -82,8 +82,8 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
   if (hold_) {
-    emit gripMoved(hold_->seen.toPlane(cursor_).y() - hold_->height, 1 / hold_->seen.scale, hold_->way,
-                   event->modifiers());
+    const QPointF by = hold_->seen.toPlane(cursor_) - hold_->from;
+    emit gripMoved(hold_->plane, {by.x(), by.y()}, 1 / hold_->seen.scale, event->modifiers());
     return update();
   }
   if (!grabbed_.isNull() && drawing_.station >= 0) {

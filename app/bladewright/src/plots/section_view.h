@@ -20,7 +20,7 @@ namespace bw::app {
 /// (dashed) and grips, the foam, and beside it the curvature against the blade's limit. Over it a bar a
 /// station with its deviation: click, wheel or arrow keys choose. Over the plots the wheel zooms to the
 /// cursor, dragging moves, a double click shows all again; what lies under the cursor stands beside it.
-/// Points of the surface that lie in the plane of the station are pulled up and down.
+/// Points of the surface that lie in the plane of the station are pulled in it.
 class SectionView : public QWidget {
   Q_OBJECT
 
@@ -49,11 +49,11 @@ class SectionView : public QWidget {
   QSize minimumSizeHint() const override { return {320, 120}; }
 
  signals:
-  /// A point of the surface is pressed, moved along `way` (unit, in the file's frame) by so many mm from
-  /// where it was taken hold of, and let go of; `givenUp`: what it did is to be undone.
+  /// A point of the surface is pressed, moved in the plane of the station by so many mm from where it was
+  /// taken hold of, and let go of; `givenUp`: what it did is to be undone.
   void gripPressed(int handle, Qt::KeyboardModifiers keys);
   /// `pixel`: mm of a pixel.
-  void gripMoved(double by, double pixel, const Eigen::Vector3d& way, Qt::KeyboardModifiers keys);
+  void gripMoved(const bw::Frame& plane, const Eigen::Vector2d& by, double pixel, Qt::KeyboardModifiers keys);
   void gripReleased(bool givenUp);
 
  protected:
@@ -101,8 +101,8 @@ class SectionView : public QWidget {
   /// The grip that is held, and the plane as it was when it was taken hold of.
   struct Hold {
     SectionFrame seen;
-    double height;  ///< mm up the plane, where the hand was
-    Eigen::Vector3d way;
+    QPointF from;  ///< mm in the plane, where the hand was
+    Frame plane;
   };
   FindGrips findGrips_;
   std::optional<Hold> hold_;

@@ -3,6 +3,7 @@
 #include "window/handle_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bw/core/shape/blade_ends.h"
 
@@ -126,6 +127,22 @@ NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
   const SectionCurve& section = std::get<SectionsSurface>(surface->shape).sections[std::size_t(at->section)];
   return placeInSurface(bench, "/sections/" + std::to_string(at->section) + "/" +
                                    kSectionKinds[int(section.kind)] + "/" + std::to_string(at->point) + axis);
+}
+
+bool keepsOrder(const DesignedSurface& was, const DesignedSurface& now) {
+  constexpr double kLeast = 0.999;  // mm between neighbours: 1, but for rounding
+  const auto *before = std::get_if<SectionsSurface>(&was.shape),
+             *after = std::get_if<SectionsSurface>(&now.shape);
+  if (!before || !after) return true;
+  for (std::size_t i = 0; i < before->sections.size(); ++i) {
+    const auto &from = before->sections[i].points, &to = after->sections[i].points;
+    for (std::size_t k = 1; k < from.size(); ++k) {
+      const double gap = from[k].x() - from[k - 1].x(), left = to[k].x() - to[k - 1].x();
+      // Points that stand one over the other have none.
+      if (gap != 0 && (gap > 0 ? left : -left) < std::min(kLeast, std::abs(gap))) return false;
+    }
+  }
+  return true;
 }
 
 namespace {

@@ -49,6 +49,10 @@ NumberPlace placeOfEnd(const Workbench& bench, int blade, int end);
 /// Where a number of a handle of the surface at work stands there.
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number);
 
+/// Whether the points of sections stand across the travel in the order in which they stood: none has come
+/// nearer than 1 mm to its neighbour that was not.
+bool keepsOrder(const DesignedSurface& was, const DesignedSurface& now);
+
 /// The surface with some of its handles moved by so many mm: across and up. Cubics of a chain stay in line.
 /// `symmetric`: their mirror images with them.
 DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,

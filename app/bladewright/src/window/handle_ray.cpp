@@ -24,13 +24,18 @@ std::optional<double> alongWay(const view::SceneView& view, const QPointF& posit
   return (from.dot(way) - cosine * from.dot(sight)) / (1 - cosine * cosine);
 }
 
-std::optional<double> angleIn(const view::SceneView& view, const QPointF& position, const Frame& frame) {
+std::optional<Eigen::Vector2d> inPlane(const view::SceneView& view, const QPointF& position,
+                                       const Frame& frame) {
   const auto [origin, sight] = view.rayAt(position);
   const double sine = sight.dot(frame.normal);
   if (std::abs(sine) < kFlattest) return {};
   const double far = (frame.origin - origin).dot(frame.normal) / sine;
-  const Eigen::Vector3d at = frame.toLocal(origin + far * sight);
-  return toDegrees(std::atan2(at.y(), at.x()));
+  return frame.toLocal(origin + far * sight).head<2>();
+}
+
+std::optional<double> angleIn(const view::SceneView& view, const QPointF& position, const Frame& frame) {
+  const std::optional<Eigen::Vector2d> at = inPlane(view, position, frame);
+  return at ? std::optional(toDegrees(std::atan2(at->y(), at->x()))) : std::nullopt;
 }
 
 }  // namespace bw::app

@@ -18,8 +18,11 @@ namespace bw::app {
 std::optional<double> alongWay(const view::SceneView& view, const QPointF& position,
                                const Eigen::Vector3d& through, const Eigen::Vector3d& way);
 
-/// Where the ray through a place of the view meets the plane of a frame's x and y: the angle there about its
-/// origin from x on, degrees. Nothing where the view looks along the plane.
+/// Where the ray through a place of the view meets the plane of a frame's x and y, mm from its origin.
+/// Nothing where the view looks along the plane.
+std::optional<Eigen::Vector2d> inPlane(const view::SceneView& view, const QPointF& position,
+                                       const Frame& frame);
+/// The angle there about its origin from x on, degrees.
 std::optional<double> angleIn(const view::SceneView& view, const QPointF& position, const Frame& frame);
 
 }  // namespace bw::app

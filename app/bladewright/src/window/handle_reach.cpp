@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bw::app {
@@ -14,12 +15,16 @@ WithinReach withinReach(const std::optional<pipeline::Reach>& reach, double by, 
   for (const pipeline::Reach::End& end : reach->ends) {
     const bool below = &end == &reach->ends[0];
     if (end.bar == pipeline::Bar::none || (below ? by >= end.free : by <= end.free)) continue;
-    const double last = (from + end.free) / step;
-    may.by = (below ? std::ceil(last) : std::floor(last)) * step - from;
-    if (below ? may.by > 0 : may.by < 0) may.by = 0;
+    may.by = lastBefore(end.free, from, step);
     may.stoppedBy = end.bar;
   }
   return may;
+}
+
+double lastBefore(double end, double from, double step) {
+  const double last = (from + end) / step;
+  return end < 0 ? std::min(0.0, std::ceil(last) * step - from)
+                 : std::max(0.0, std::floor(last) * step - from);
 }
 
 QString wordsOf(pipeline::Bar bar) {

@@ -20,6 +20,9 @@ struct WithinReach {
 /// by `step`. `from`: the number where nothing is moved. Where something bars it as it is, it goes anywhere.
 WithinReach withinReach(const std::optional<pipeline::Reach>& reach, double by, double from, double step);
 
+/// The last number that is counted by `step` on the way from `from` by `end`, as mm from `from`.
+double lastBefore(double end, double from, double step);
+
 /// Why something goes no farther, or is not to be cut as it is.
 QString wordsOf(pipeline::Bar bar);
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bw/core/base/frame.h"
@@ -22,6 +23,10 @@ namespace {
 constexpr double kCoarse = 10;                    // steps
 constexpr int kCurveParts = 32;                   // of a key blade
 constexpr double kSnapReach = 6, kSnapMark = 14;  // pixels
+constexpr double kAlongTravel = 0.94;             // cosine between it and the line of sight
+constexpr double kSameNumber = 1e-4;              // mm
+constexpr double kFlattest = 0.3;                 // share of a plane that another shows of it
+constexpr std::array kNumbers = {HandleNumber::across, HandleNumber::height};
 
 /// Without the last digits that a turned frame leaves of a round number.
 double withoutNoise(double mm) {
@@ -86,6 +91,10 @@ int SurfaceHandles::count() const { return shown_ ? int(places().size()) : 0; }
 std::vector<Eigen::Vector3d> SurfaceHandles::places() const {
   const DesignedSurface* surface = surfaceOf(bench_);
   return surface ? placesOf(*surface) : std::vector<Eigen::Vector3d>();
+}
+
+Eigen::Vector3d SurfaceHandles::wayBy(const Eigen::Vector2d& by) const {
+  return by.x() * way(HandleNumber::across) + by.y() * way(HandleNumber::height);
 }
 
 Eigen::Vector3d SurfaceHandles::way(HandleNumber number) const {
@@ -241,26 +250,29 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
   handles.text += pullText();
   markSnaps(handles);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
-  handles.stopped = pull_->stoppedBy || (reach && reach->now != pipeline::Bar::none);
+  handles.stopped = !pull_->stoppedBy.isEmpty() || (reach && reach->now != pipeline::Bar::none);
   if (reach && reach->now == pipeline::Bar::none) handles.ways = ways(*reach);
 }
 
 std::vector<scene::HandleWay> SurfaceHandles::ways(const pipeline::Reach& reach) const {
   const auto& [below, above] = reach.ends;
+  const auto& [lowest, highest] = pull_->ordered;
   const std::vector<Eigen::Vector3d> from = placesOf(pull_->base);
   std::vector<scene::HandleWay> ways;
-  const auto add = [&](int handle, const Eigen::Vector3d& along) {
+  const auto add = [&](int handle, const Eigen::Vector2d& along) {
+    if (along.isZero()) return;  // what lies in the middle stays there
     const Eigen::Vector3d& start = from[std::size_t(handle)];
-    ways.push_back({start + below.free * along, start + above.free * along, below.bar != pipeline::Bar::none,
-                    above.bar != pipeline::Bar::none});
+    ways.push_back({start + wayBy(std::max(below.free, lowest) * along),
+                    start + wayBy(std::min(above.free, highest) * along),
+                    below.bar != pipeline::Bar::none || lowest > below.free,
+                    above.bar != pipeline::Bar::none || highest < above.free});
   };
-  const bool up = pull_->number == HandleNumber::height;
-  const Eigen::Vector3d along = way(pull_->number);
+  const Eigen::Vector2d& along = pull_->along;
   const std::vector<int> moved = held();
   for (const int handle : moved) {
     const int mirror = habits_.symmetric ? mirrorOf(pull_->base, handle) : -1;
-    if (up || mirror != handle) add(handle, along);  // what lies in the middle stays there
-    if (mirror >= 0 && std::ranges::find(moved, mirror) == moved.end()) add(mirror, up ? along : -along);
+    add(handle, mirror == handle ? Eigen::Vector2d(0, along.y()) : along);
+    if (mirror >= 0 && std::ranges::find(moved, mirror) == moved.end()) add(mirror, {-along.x(), along.y()});
   }
   return ways;
 }
@@ -280,7 +292,8 @@ SnapThings SurfaceHandles::snapThings() const {
     if (placed) things.blocks.push_back({name, placed->box()});
   }
   const std::vector<Eigen::Vector3d> places = placesOf(pull_->base);
-  const std::vector<Eigen::Vector3d> moved = placesOf(movedBy(pull_->base, held(), {0, 1}, symmetric()));
+  const std::vector<Eigen::Vector3d> moved =
+      placesOf(movedBy(pull_->base, held(), {0, 1}, habits_.symmetric));
   for (std::size_t i = 0; i < places.size(); ++i)
     if (moved[i] == places[i]) things.points.push_back({nameOf(int(i)).toLower(), places[i]});
   return things;
@@ -303,13 +316,15 @@ void SurfaceHandles::markSnaps(scene::Handles& handles) const {
 }
 
 std::string SurfaceHandles::pullText() const {
-  const double by = *numberOf(*surfaceOf(bench_), pull_->handle, pull_->number) -
-                    *numberOf(pull_->from, pull_->handle, pull_->number);
+  const auto changed = [&](HandleNumber which) {
+    return *numberOf(*surfaceOf(bench_), pull_->handle, which) - *numberOf(pull_->from, pull_->handle, which);
+  };
   const auto number = [](double mm) {
     return (mm < 0 ? "−" : "+") + QString::fromStdString(shortText(std::abs(mm), 4));
   };
-  QString text = " (" + number(by) + ")";
-  if (pull_->number == HandleNumber::across) text = tr(", across%1").arg(text);
+  QString text;
+  if (pull_->along.y() != 0) text = " (" + number(changed(HandleNumber::height)) + ")";
+  if (pull_->along.x() != 0) text += tr(", across (%1)").arg(number(changed(HandleNumber::across)));
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   if (reach && reach->now != pipeline::Bar::none) {
     text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
@@ -321,7 +336,7 @@ std::string SurfaceHandles::pullText() const {
     if (!ends.isEmpty())
       text += "\n" + tr("%1 handles together: %2 mm at most").arg(moved.size()).arg(ends.join(", "));
   }
-  if (pull_->stoppedBy) text += "\n" + tr("Goes no farther: %1").arg(wordsOf(*pull_->stoppedBy));
+  if (!pull_->stoppedBy.isEmpty()) text += "\n" + tr("Goes no farther: %1").arg(pull_->stoppedBy);
   QStringList things;
   for (const Snap& snap : snapped()) things << snap.words;
   if (!things.isEmpty()) text += "\n" + tr("Snapped to %1").arg(things.join(tr(" and ")));
@@ -331,7 +346,9 @@ std::string SurfaceHandles::pullText() const {
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (handle >= count()) return;  // another's
   grab(handle, keys);
-  pull_->began = alongWay(*view_, position, placesOf(pull_->base)[std::size_t(handle)], way()).value_or(0);
+  const Eigen::Vector3d travel = way(HandleNumber::across).cross(way());
+  if (std::abs(view_->rayAt(position).second.dot(travel)) < kAlongTravel) pull_->freely = false;
+  pull_->began = handAt(position).value_or(Eigen::Vector2d(0, 0));
 }
 
 void SurfaceHandles::grab(int handle, Qt::KeyboardModifiers keys) {
@@ -349,6 +366,7 @@ void SurfaceHandles::grab(int handle, Qt::KeyboardModifiers keys) {
   emit chosenChanged();
   const DesignedSurface& surface = *surfaceOf(bench_);
   begin({handle, true, surface, surface, bench_.document().design()});
+  pull_->freely = numberOf(surface, handle, HandleNumber::across).has_value();
   emit changed();
 }
 
@@ -359,43 +377,116 @@ void SurfaceHandles::begin(Pull pull) {
 }
 
 void SurfaceHandles::seek() {
+  pull_->ordered = {orderedBy(-pull_->farthest), orderedBy(pull_->farthest)};
   bench_.runner().seekReach(
-      [design = bench_.design(), cut = bench_.cut(), base = pull_->base, moved = held(),
-       up = pull_->number == HandleNumber::height, symmetric = habits_.symmetric](double by) {
+      [design = bench_.design(), cut = bench_.cut(), base = pull_->base, moved = held(), along = pull_->along,
+       symmetric = habits_.symmetric](double by) {
         Design pulled = design;
-        pulled.sourceOf(cut).surface =
-            movedBy(base, moved, up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), symmetric);
+        pulled.sourceOf(cut).surface = movedBy(base, moved, by * along, symmetric);
         return pulled;
       },
       pull_->farthest);
+}
+
+double SurfaceHandles::orderedBy(double by) const {
+  constexpr int kHalvings = 24;
+  const auto ordered = [&](double to) {
+    return keepsOrder(pull_->base, movedBy(pull_->base, held(), to * pull_->along, habits_.symmetric));
+  };
+  if (pull_->along.x() == 0 || ordered(by)) return by;
+  double free = 0, barred = by;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (free + barred);
+    (ordered(middle) ? free : barred) = middle;
+  }
+  return free;
+}
+
+std::optional<Eigen::Vector2d> SurfaceHandles::handAt(const QPointF& position) const {
+  const Eigen::Vector3d from = placesOf(pull_->base)[std::size_t(pull_->handle)];
+  if (pull_->freely) {
+    const Eigen::Vector3d x = way(HandleNumber::across), z = way();
+    return inPlane(*view_, position, {from, x, z, x.cross(z)});
+  }
+  const std::optional<double> up = alongWay(*view_, position, from, way());
+  return up ? std::optional(Eigen::Vector2d(0, *up)) : std::nullopt;
 }
 
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held || pull_->handle != handle) return;
   const Eigen::Vector3d from = placesOf(pull_->base)[std::size_t(handle)];
   const QPointF way1 = view_->toWidget(from + way()) - view_->toWidget(from);
-  if (const std::optional<double> at = alongWay(*view_, position, from, way()))
+  if (const std::optional<Eigen::Vector2d> at = handAt(position))
     drag(*at - pull_->began, 1 / std::hypot(way1.x(), way1.y()), keys);
 }
 
-void SurfaceHandles::drag(double by, double pixel, Qt::KeyboardModifiers keys) {
+void SurfaceHandles::drag(const Frame& plane, const Eigen::Vector2d& by, double pixel,
+                          Qt::KeyboardModifiers keys) {
+  const Eigen::Vector3d x = way(HandleNumber::across), z = way();
+  // What the plane shows of a way across and of one up.
+  const Eigen::Vector2d across(x.dot(plane.x), x.dot(plane.y)), up(z.dot(plane.x), z.dot(plane.y));
+  const double shown = across.x() * up.y() - across.y() * up.x();
+  Eigen::Vector2d moved(0, by.y() / up.y());
+  if (pull_ && pull_->freely && std::abs(shown) > kFlattest)
+    moved = {(by.x() * up.y() - by.y() * up.x()) / shown,
+             (across.x() * by.y() - across.y() * by.x()) / shown};
+  drag(moved, pixel / std::abs(up.y()), keys);
+}
+
+void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held) return;
   const auto [step, share] = handPace(keys, steps());
-  // The height, not the way to it, is a round number.
-  const double from = pulledFrom();
-  double to = std::round((from + by * share) / step) * step;
-  pull_->snaps.clear();
-  if (habits_.meeting && share == 1) {
-    const Eigen::Vector3d place = placesOf(pull_->base)[std::size_t(pull_->handle)];
-    const SnapWay way{place, this->way(), this->way(HandleNumber::across)};
-    if (const std::optional<Snap> snap = snapTo(snapThings(), way, by, kSnapReach * pixel)) {
+  const double reach = kSnapReach * pixel;
+  Eigen::Vector2d hand = share * by;
+  // Nearly straight up or across is meant to be so.
+  const Eigen::Vector2d off = by.cwiseAbs();
+  const bool middle = habits_.symmetric && mirrorOf(pull_->base, pull_->handle) == pull_->handle;
+  if (!pull_->freely || middle || (off.x() < reach && off.x() <= off.y()))
+    hand.x() = 0;
+  else if (off.y() < reach)
+    hand.y() = 0;
+  const SnapThings things = habits_.meeting && share == 1 ? snapThings() : SnapThings();
+  const Eigen::Vector3d place = placesOf(pull_->base)[std::size_t(pull_->handle)];
+  const auto wayOf = [&](int n, const Eigen::Vector2d& from) {
+    return SnapWay{place + wayBy(from), way(kNumbers[std::size_t(n)]), way(kNumbers[std::size_t(1 - n)]),
+                   n == 1};
+  };
+  Eigen::Vector2d wished(0, 0);
+  std::array<bool, 2> met = {};
+  pull_->to = {};
+  for (const int n : {0, 1}) {
+    if (hand[n] == 0) continue;
+    // The number, not the way to it, is a round one.
+    const double from = *numberOf(pull_->base, pull_->handle, kNumbers[std::size_t(n)]);
+    double to = std::round((from + hand[n]) / step) * step;
+    if (const std::optional<Snap> snap = snapTo(things, wayOf(n, {0, 0}), hand[n], reach)) {
       to = withoutNoise(from + snap->by);
-      pull_->snaps.push_back(*snap);
+      met[std::size_t(n)] = true;
     }
+    wished[n] = std::clamp(to - from, -kFarthest, kFarthest);
+    if (wished[n] == to - from) pull_->to[std::size_t(n)] = to;
   }
-  pull_->wished = std::clamp(to - from, -kFarthest, kFarthest);
-  pull_->to = pull_->wished == to - from ? std::optional(to) : std::nullopt;
+  // As they lie where it comes to lie.
+  pull_->snaps.clear();
+  for (const int n : {0, 1}) {
+    Eigen::Vector2d beside = wished;
+    beside[n] = 0;
+    if (!met[std::size_t(n)]) continue;
+    if (const std::optional<Snap> snap = snapTo(things, wayOf(n, beside), wished[n], kSameNumber))
+      pull_->snaps.push_back(*snap);
+  }
+  const Eigen::Vector2d along = wished.isZero()   ? pull_->along
+                                : wished.x() == 0 ? Eigen::Vector2d(0, 1)
+                                : wished.y() == 0 ? Eigen::Vector2d(1, 0)
+                                                  : Eigen::Vector2d(wished.normalized());
+  pull_->wished = wished.dot(along);
   pull_->step = step;
+  if (along != pull_->along) {
+    pull_->along = along;
+    pull_->by = std::nan("");  // of another way
+    pull_->farthest = std::max(kFarthest, pull_->wished);
+    seek();
+  }
   keepWithin();
 }
 
@@ -404,15 +495,18 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step, bool any
   const std::optional<double> now =
       surface && !chosen_.empty() ? numberOf(*surface, chosen_.back(), number) : std::nullopt;
   if (!now || (pull_ && pull_->held)) return;
+  const Eigen::Vector2d along =
+      number == HandleNumber::height ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(1, 0);
   if (!pull_) {
-    begin({chosen_.back(), false, *surface, *surface, bench_.document().design(), number});
-  } else if (pull_->number != number) {
+    begin({chosen_.back(), false, *surface, *surface, bench_.document().design(), along});
+  } else if (pull_->along != along) {
     pull_->base = *surface;
-    pull_->number = number;
+    pull_->along = along;
     pull_->by = 0;
     seek();
   }
-  pull_->to = to;
+  pull_->to = {};
+  pull_->to[number == HandleNumber::height ? 1 : 0] = to;
   pull_->wished = to - pulledFrom();
   pull_->step = step;
   if (const double way = std::abs(pull_->wished); way > pull_->farthest) {
@@ -456,9 +550,15 @@ void SurfaceHandles::keepWithin() {
   if (!pull_) return;
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   const WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
-  const bool other = std::exchange(pull_->stoppedBy, may.stoppedBy) != may.stoppedBy;
-  if (may.by != pull_->by)
-    pull(may.by, true);
+  QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
+  double by = may.by;
+  if (const double ordered = orderedBy(by); ordered != by) {
+    by = lastBefore(ordered, pulledFrom(), pull_->step);
+    why = tr("a point may not overtake its neighbour");
+  }
+  const bool other = std::exchange(pull_->stoppedBy, why) != why;
+  if (by != pull_->by)
+    pull(by, true);
   else if (other || reach)
     emit changed();
 }
@@ -469,13 +569,17 @@ std::vector<int> SurfaceHandles::held() const {
   return held;
 }
 
-double SurfaceHandles::pulledFrom() const { return *numberOf(pull_->base, pull_->handle, pull_->number); }
+double SurfaceHandles::pulledFrom() const {
+  const Eigen::Vector2d& along = pull_->along;
+  if (along.x() != 0 && along.y() != 0) return 0;
+  return *numberOf(pull_->base, pull_->handle, along.x() != 0 ? HandleNumber::across : HandleNumber::height);
+}
 
 DesignedSurface SurfaceHandles::pulledBy(double by) const {
-  const bool up = pull_->number == HandleNumber::height;
-  DesignedSurface pulled =
-      movedBy(pull_->base, held(), up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), habits_.symmetric);
-  if (pull_->to && by == pull_->wished) setNumber(pulled, pull_->handle, pull_->number, *pull_->to);
+  DesignedSurface pulled = movedBy(pull_->base, held(), by * pull_->along, habits_.symmetric);
+  if (by != pull_->wished) return pulled;
+  for (std::size_t n = 0; n < kNumbers.size(); ++n)
+    if (pull_->to[n]) setNumber(pulled, pull_->handle, kNumbers[n], *pull_->to[n]);
   return pulled;
 }
 

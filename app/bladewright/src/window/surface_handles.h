@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QString>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@
 namespace bw::app {
 
 /// The handles of a designed surface in the 3D view: its poles, or the points of its section curves, each
-/// moved up and down. A pole is pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
+/// moved up and down, and what lies in a plane across the travel in it where that is looked at. A pole is
+/// pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
 /// of these, with Ctrl or Alt by a tenth of the way of the hand; without these it may snap to what it comes
 /// in line with. Esc gives a pull up; a click with Shift chooses several, which move together. Whatever moves
 /// them, they stop where the surface can no longer be cut, as soon as that is known, and say why.
@@ -64,11 +66,11 @@ class SurfaceHandles : public QObject {
   /// What a move is counted by, mm.
   HandSteps steps() const;
 
-  /// A hand takes hold of a handle elsewhere than in the 3D view, moves it by so many mm from there and lets
-  /// go of it. With Shift it is chosen with others.
+  /// A hand takes hold of a handle elsewhere than in the 3D view, moves it in a plane by so many mm from
+  /// there and lets go of it. With Shift it is chosen with others.
   void grab(int handle, Qt::KeyboardModifiers keys);
   /// `pixel`: mm of a pixel there.
-  void drag(double by, double pixel, Qt::KeyboardModifiers keys);
+  void drag(const Frame& plane, const Eigen::Vector2d& by, double pixel, Qt::KeyboardModifiers keys);
   void drop(bool givenUp);
   /// Unit, on which a number of the handles moves.
   Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
@@ -112,20 +114,24 @@ class SurfaceHandles : public QObject {
     DesignedSurface from;                  ///< as it was when a handle was pressed, or the keyboard began
     DesignedSurface base;                  ///< as it was before this number of it moved
     std::shared_ptr<const Design> design;  ///< as it was when the pull began, with its expressions
-    HandleNumber number = HandleNumber::height;
-    double began = 0;  ///< mm along the way, where the hand took hold
-    double by = 0;     ///< mm that it moved since
+    Eigen::Vector2d along = {0, 1};        ///< unit, across and up: on which it moves
+    bool freely = false;                   ///< in its plane, not up and down alone
+    Eigen::Vector2d began = {0, 0};        ///< mm across and up, where the hand took hold
+    double by = 0;                         ///< mm that it moved since
     int mergeId = -1;
     bool moved = false;
-    double wished = 0;                                      ///< mm, where the hand is
-    std::optional<double> to = std::nullopt;                ///< the number there, to its last digit
-    double step = 1;                                        ///< mm, of the numbers
-    double farthest = kFarthest;                            ///< mm, so far its border is sought
-    std::optional<pipeline::Bar> stoppedBy = std::nullopt;  ///< why it lags behind the hand
-    std::vector<Snap> snaps = {};                           ///< of where it is wished to be
+    double wished = 0;                             ///< mm, where the hand is
+    std::array<std::optional<double>, 2> to = {};  ///< the numbers there, to their last digit
+    double step = 1;                               ///< mm, of the numbers
+    double farthest = kFarthest;                   ///< mm, so far its border is sought
+    std::array<double, 2> ordered = {};            ///< mm, so far the points keep their order
+    QString stoppedBy = {};                        ///< why it lags behind the hand
+    std::vector<Snap> snaps = {};                  ///< of where it is wished to be
   };
 
   std::vector<Eigen::Vector3d> places() const;
+  /// What moves by so many mm across and up.
+  Eigen::Vector3d wayBy(const Eigen::Vector2d& by) const;
   double heightOf(const DesignedSurface& surface, int handle) const;
 
   void begin(Pull pull);
@@ -133,6 +139,9 @@ class SurfaceHandles : public QObject {
   void move(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
   void release(int handle, bool givenUp);
   void hover(int handle);
+  /// Where the hand is at a place of the view, mm across and up from where the handle was.
+  std::optional<Eigen::Vector2d> handAt(const QPointF& position) const;
+  void drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardModifiers keys);
   void follow(const Change& change);
   /// Moves the handles to the hand, as far as they may go.
   void keepWithin();
@@ -140,8 +149,10 @@ class SurfaceHandles : public QObject {
   std::vector<int> held() const;
   /// The surface with the handles pulled by so many mm from where they were.
   DesignedSurface pulledBy(double by) const;
-  /// The number that is moved, where `by` is 0.
+  /// The number that is moved alone, where `by` is 0; 0 where both are.
   double pulledFrom() const;
+  /// `by`, or as far as the points keep their order.
+  double orderedBy(double by) const;
   void pull(double by, bool live);
   /// What the handle that is held may snap to: nothing that moves with it.
   SnapThings snapThings() const;

@@ -186,11 +186,9 @@ void MainWindow::makeWorkspace() {
     return grips;
   });
   connect(section_, &SectionView::gripPressed, handles_, &SurfaceHandles::grab);
-  connect(section_, &SectionView::gripMoved, handles_,
-          [this](double by, double pixel, const Eigen::Vector3d& up, Qt::KeyboardModifiers keys) {
-            const double share = handles_->way().dot(up);
-            handles_->drag(by / share, pixel / std::abs(share), keys);
-          });
+  connect(
+      section_, &SectionView::gripMoved, handles_,
+      qOverload<const Frame&, const Eigen::Vector2d&, double, Qt::KeyboardModifiers>(&SurfaceHandles::drag));
   connect(section_, &SectionView::gripReleased, handles_, &SurfaceHandles::drop);
   connect(handles_, &SurfaceHandles::changed, section_, qOverload<>(&QWidget::update));
   connect(faces_, &FaceChooser::choosingChanged, this, [this](bool choosing) {
