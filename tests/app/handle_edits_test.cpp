@@ -29,6 +29,14 @@ class HandleEdits : public HandlesTest {
   const std::vector<SectionCurve>& sections() {
     return std::get<SectionsSurface>(bench().design().source().surface->shape).sections;
   }
+  /// A right click on a handle, and one on a line of the menu that opens there.
+  void chooseFromMenu(int handle, const char* id) {
+    QTest::mouseClick(&view(), Qt::RightButton, {}, at(handle));
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(menu);
+    ASSERT_TRUE(menu->actions().contains(command(id)) && command(id)->isEnabled());
+    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(command(id)).center());
+  }
   /// Of the commands, with its menu and its key.
   QAction* command(const char* id) { return window().commands()[id]; }
 
@@ -132,6 +140,99 @@ TEST_F(HandleEdits, AMenuAtTheHandleAddsAndRemovesWhatIsOfIt) {
   command("handles.removeSection")->trigger();
   EXPECT_EQ(sections().size(), 3u);
   EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(HandleEdits, ASectionIsDuplicatedAlongTheWall) {
+  open("twist");
+  const Design before = bench().design();
+  EXPECT_FALSE(command("handles.duplicate")->isEnabled()) << "nothing is chosen";
+  chooseFromMenu(1, "handles.duplicate");
+  ASSERT_EQ(sections().size(), 4u);
+  EXPECT_EQ(sections()[1].y, 200) << "halfway to the next one";
+  EXPECT_EQ(sections()[1].points, sections()[0].points);
+  EXPECT_EQ(handles().chosen, std::vector<int>{4 + 1}) << "the same point of the new one is chosen";
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Duplicate section 1");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("handle-section-duplicated");
+  // Its expressions are those of the other.
+  const double lean = sections()[1].points[0].y();
+  bench().editDesign("Lean", [](Design& design) { design = withVariables(design, {{"lean", 30}}).value(); });
+  EXPECT_EQ(sections()[1].points[0].y(), lean + 40);
+  EXPECT_EQ(sections()[1].points, sections()[0].points);
+  ASSERT_TRUE(settle());
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_TRUE(settle());
+  // The last one goes on beyond.
+  chooseFromMenu(2 * 4 + 1, "handles.duplicate");
+  ASSERT_EQ(sections().size(), 4u);
+  EXPECT_EQ(sections()[3].y, 1200);
+  EXPECT_EQ(sections()[3].points, sections()[2].points);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(HandleEdits, AShapeIsCopiedToTheOthersChosen) {
+  open("twist");
+  Design before = bench().design();
+  click(1);
+  EXPECT_FALSE(command("handles.copyShape")->isEnabled()) << "one alone";
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, at(2 * 4 + 1));
+  chooseFromMenu(2 * 4 + 1, "handles.copyShape");
+  EXPECT_EQ(sections()[0].points, sections()[2].points) << "that of the last one";
+  EXPECT_NE(sections()[1].points, sections()[2].points);
+  EXPECT_EQ(sections()[0].y, 0);
+  EXPECT_EQ(handles().chosen, (std::vector<int>{1, 2 * 4 + 1}));
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Copy shape of section 3");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("handle-shape-copied");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  // Rows of poles.
+  open("single-block");
+  before = bench().design();
+  click(kPole);
+  EXPECT_FALSE(command("handles.duplicate")->isEnabled()) << "rows lie evenly";
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, at(3 * 4 + 1));
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, at(4 * 4 + 2));
+  command("handles.copyShape")->trigger();
+  for (int column = 0; column < 4; ++column)
+    for (const int row : {2, 3}) EXPECT_EQ(height(row, column), height(4, column));
+  EXPECT_EQ(height(5, 1), 320);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Copy shape of row 5");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(HandleEdits, AKeyBladeIsDuplicatedAndCopied) {
+  open("key-blade-fan");
+  const Design before = bench().design();
+  const auto blades = [&] {
+    return std::get<BladesSurface>(bench().design().source().surface->shape).blades;
+  };
+  const std::vector<KeyBlade> were = blades();
+  chooseFromMenu(1, "handles.duplicate");
+  ASSERT_EQ(blades().size(), 5u);
+  KeyBlade alike = were[1];
+  alike.y = 0.5 * (were[1].y + were[2].y);
+  EXPECT_EQ(blades()[2], alike);
+  EXPECT_EQ(handles().chosen, std::vector<int>{2});
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Duplicate key blade 2");
+  ASSERT_TRUE(settle());
+  picture("handle-key-blade-duplicated");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  click(0);
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, at(1));
+  command("handles.copyShape")->trigger();
+  alike.y = were[0].y;
+  EXPECT_EQ(blades()[0], alike);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(HandleEdits, ThePanelAddsAndRemovesThem) {

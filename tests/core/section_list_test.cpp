@@ -141,6 +141,69 @@ TEST(SectionList, ACurveKeepsTwoPoints) {
             "section 1 keeps two points, so none can be taken away");
 }
 
+TEST(SectionList, ASectionIsRepeatedWithItsExpressions) {
+  const Design before = designOf(kBezier);
+  const Design after = withEntryRepeated(before, 0, 1).value();
+  ASSERT_EQ(sectionsOf(after).size(), 4u);
+  EXPECT_EQ(sectionsOf(after)[2].y, 550);
+  EXPECT_EQ(sectionsOf(after)[2].points, sectionsOf(before)[1].points);
+  EXPECT_EQ(sectionsOf(after)[2].kind, sectionsOf(before)[1].kind);
+  EXPECT_EQ(sectionsOf(after)[3], sectionsOf(before)[2]);
+  EXPECT_EQ(after.bindings.size(), before.bindings.size() + 1);
+  const Design other = withVariables(after, {{"a", 50}}).value();
+  EXPECT_EQ(sectionsOf(other)[1].points[1].y(), 250);
+  EXPECT_EQ(sectionsOf(other)[2].points[1].y(), 250) << "both follow";
+  EXPECT_EQ(sectionsOf(other)[3].points[3].y(), 250) << "and the one behind them";
+  EXPECT_EQ(withoutSection(after, 0, 2).value(), before);
+  EXPECT_EQ(sectionsOf(withEntryRepeated(before, 0, 2).value())[3].y, 1300) << "beyond the last";
+  Design full = before;
+  auto& sections = std::get<SectionsSurface>(full.sources[0].surface->shape).sections;
+  while (sections.size() < std::size_t(SectionsSurface::kMost)) {
+    sections.push_back(sections.back());
+    sections.back().y += 10;
+  }
+  EXPECT_EQ(withEntryRepeated(full, 0, 1).error().message,
+            "the surface has 200 sections, as many as it may have");
+}
+
+TEST(SectionList, AShapeIsCopiedWithItsExpressionsButNotItsPlace) {
+  const Design before = designOf(R"([
+    {"y": "=a", "bezier": [[0, 200], [200, "=220 + a"], [400, 260], [600, 200]]},
+    {"y": 300, "spline": [[0, 210], [150, "=200 + a"], [250, 250], [400, 280], [600, 190]]},
+    {"y": "=760 + a", "bezier": [[0, 180], [200, 250], [400, 230], [600, "=5*a"]]}])");
+  ASSERT_EQ(before.bindings.size(), 5u);
+  const Design after = withShapeCopied(before, 0, 1, {0, 2});
+  for (const std::size_t i : {0, 2}) {
+    EXPECT_EQ(sectionsOf(after)[i].points, sectionsOf(before)[1].points);
+    EXPECT_EQ(sectionsOf(after)[i].kind, SectionCurve::Kind::spline);
+    EXPECT_EQ(sectionsOf(after)[i].y, sectionsOf(before)[i].y);
+  }
+  EXPECT_EQ(after.bindings.size(), 5u) << "two places, and three heights that are told alike";
+  const Design other = withVariables(after, {{"a", 50}}).value();
+  for (const std::size_t i : {0, 1, 2}) EXPECT_EQ(sectionsOf(other)[i].points[1].y(), 250);
+  EXPECT_EQ(sectionsOf(other)[0].y, 50);
+  EXPECT_EQ(sectionsOf(other)[2].y, 810);
+  EXPECT_EQ(withShapeCopied(before, 0, 1, {1}), before);
+  // Rows of poles.
+  const json object = {
+      {"bladewright_design", 2},
+      {"variables", {{{"name", "a"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
+      {"sources",
+       {{{"surface",
+          {{"type", "poles"}, {"x", {0, 600}}, {"y", {0, 800}}, {"degree", {1, 1}}, {"poles", json::parse(R"([
+         [200, "=200 + a"], [{"height": "=a", "moved": [5, 0]}, 230], ["=3*a", 240]])")}}}}}}};
+  const Result<Design> grid = parseDesign(object.dump());
+  ASSERT_TRUE(grid) << grid.error().message;
+  const Design rows = withShapeCopied(*grid, 0, 1, {0, 2});
+  const auto& poles = std::get<PolesSurface>(rows.source().surface->shape);
+  for (const int row : {0, 2})
+    for (const int column : {0, 1}) EXPECT_EQ(poles.at(row, column), poles.at(1, column));
+  EXPECT_EQ(rows.bindings.size(), 3u);
+  const Design lifted = withVariables(rows, {{"a", 50}}).value();
+  for (const int row : {0, 1, 2})
+    EXPECT_EQ(std::get<PolesSurface>(lifted.source().surface->shape).at(row, 0).height, 50);
+}
+
 TEST(SectionList, KeyBladesComeAndGoWithTheExpressionsOfTheOthersKept) {
   const json object = {{"bladewright_design", 2},
                        {"variables", {{{"name", "a"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
@@ -167,6 +230,18 @@ TEST(SectionList, KeyBladesComeAndGoWithTheExpressionsOfTheOthersKept) {
   EXPECT_EQ(blades(other)[3].middle.y(), 280);
   EXPECT_EQ(blades(other)[1], blades(after)[1]) << "the new one is free";
   EXPECT_EQ(withoutBlade(after, 0, 1).value(), before);
+  // Once more as it is, and another one's numbers.
+  const Design twice = withEntryRepeated(before, 0, 1).value();
+  EXPECT_EQ(blades(twice)[2].y, 550);
+  EXPECT_EQ(blades(twice)[2].angle, blades(before)[1].angle);
+  EXPECT_EQ(twice.bindings.size(), 5u);
+  EXPECT_EQ(twice.bindings.at("/sources/0/surface/blades/2/angle_deg").text, "a/10");
+  EXPECT_EQ(withoutBlade(twice, 0, 2).value(), before);
+  const Design alike = withShapeCopied(before, 0, 2, {0});
+  EXPECT_EQ(blades(alike)[0].force, blades(before)[2].force);
+  EXPECT_EQ(blades(alike)[0].y, 0);
+  EXPECT_EQ(alike.bindings.at("/sources/0/surface/blades/0/middle/1").text, "230 + a");
+  EXPECT_EQ(alike.bindings.at("/sources/0/surface/blades/0/force/1").text, "a/20");
   const Design without = withoutBlade(before, 0, 1).value();
   EXPECT_EQ(without.bindings.size(), 3u) << "that of the one that went is gone";
   EXPECT_EQ(without.bindings.at("/sources/0/surface/blades/1/middle/1").text, "230 + a");

@@ -65,6 +65,28 @@ std::vector<KeyBlade>& bladesOf(Design& design, std::size_t source) {
   return std::get<BladesSurface>(design.sources[source].surface->shape).blades;
 }
 
+/// The list of what a surface is told by along its travel.
+std::string listOf(const Design& design, std::size_t source) {
+  const SurfaceShape& shape = design.sources[source].surface->shape;
+  return std::holds_alternative<SectionsSurface>(shape) ? sectionsOf(source)
+         : std::holds_alternative<BladesSurface>(shape)
+             ? listOfBlades(source)
+             : "/sources/" + std::to_string(source) + "/surface/poles/";
+}
+
+/// Gives an entry of a list the expressions of another one, but for that of its place along the travel.
+void copyBindings(Design& design, const std::string& list, std::size_t from, std::size_t to) {
+  const std::string source = list + std::to_string(from) + "/", target = list + std::to_string(to) + "/";
+  std::erase_if(design.bindings, [&](const auto& bound) {
+    return bound.first.starts_with(target) && bound.first != target + "y";
+  });
+  std::map<std::string, BoundNumber> copied;
+  for (const auto& [pointer, bound] : design.bindings)
+    if (pointer.starts_with(source) && pointer != source + "y")
+      copied.emplace(target + pointer.substr(source.size()), bound);
+  design.bindings.merge(copied);
+}
+
 /// Puts `points` in the place of some of a curve.
 void exchange(Design& design, std::size_t source, std::size_t section, const Exchange& places,
               const Points& points) {
@@ -249,6 +271,56 @@ Result<Design> withoutBlade(const Design& design, std::size_t source, std::size_
                 "blades", double(blades.size()), 2.0);
   blades.erase(blades.begin() + std::ptrdiff_t(blade));
   renumber(changed, listOfBlades(source), {blade, 1, 0});
+  return changed;
+}
+
+Result<Design> withEntryRepeated(const Design& design, std::size_t source, std::size_t entry) {
+  Design changed = design;
+  SurfaceShape& shape = changed.sources[source].surface->shape;
+  const std::string list = listOf(design, source);
+  const auto repeat = [&](auto& entries, int most, const char* words) -> Result<Design> {
+    const std::size_t count = entries.size();
+    if (count >= std::size_t(most))
+      return fail(ErrorCode::badInput,
+                  "the surface has " + std::to_string(count) + " " + words + ", as many as it may have",
+                  std::holds_alternative<SectionsSurface>(shape) ? "sections" : "blades", double(count),
+                  double(most));
+    auto another = entries[entry];
+    if (entry + 1 == count)
+      another.y += entry > 0 ? another.y - entries[entry - 1].y : 100;
+    else
+      another.y = 0.5 * (another.y + entries[entry + 1].y);
+    entries.insert(entries.begin() + std::ptrdiff_t(entry) + 1, std::move(another));
+    renumber(changed, list, {entry + 1, 0, 1});
+    copyBindings(changed, list, entry, entry + 1);
+    return changed;
+  };
+  if (auto* loft = std::get_if<SectionsSurface>(&shape))
+    return repeat(loft->sections, SectionsSurface::kMost, "sections");
+  return repeat(std::get<BladesSurface>(shape).blades, BladesSurface::kMost, "key blades");
+}
+
+Design withShapeCopied(const Design& design, std::size_t source, std::size_t from,
+                       const std::vector<std::size_t>& to) {
+  Design changed = design;
+  SurfaceShape& shape = changed.sources[source].surface->shape;
+  const auto copy = [&](auto& entries) {
+    for (const std::size_t each : to) {
+      const double y = entries[each].y;
+      entries[each] = entries[from];
+      entries[each].y = y;
+    }
+  };
+  if (auto* loft = std::get_if<SectionsSurface>(&shape))
+    copy(loft->sections);
+  else if (auto* sweep = std::get_if<BladesSurface>(&shape))
+    copy(sweep->blades);
+  else if (auto* poles = std::get_if<PolesSurface>(&shape))
+    for (const std::size_t row : to)
+      for (int column = 0; column < poles->columns; ++column)
+        poles->at(int(row), column) = poles->at(int(from), column);
+  for (const std::size_t each : to)
+    if (each != from) copyBindings(changed, listOf(design, source), from, each);
   return changed;
 }
 

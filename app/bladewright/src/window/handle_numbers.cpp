@@ -44,6 +44,15 @@ std::array<Eigen::Vector2d, 2> endsOf(const KeyBlade& blade) {
   return bladeEnds(blade).value_or(std::array{blade.middle, blade.middle});
 }
 
+std::optional<int> entryOf(const DesignedSurface& surface, int handle) {
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape))
+    return handle >= 0 && handle < poles->rows * poles->columns ? std::optional(handle / poles->columns)
+                                                                : std::nullopt;
+  if (const std::optional<int> blade = bladeOf(surface, handle)) return blade;
+  const std::optional<SectionPoint> at = sectionPointOf(surface, handle);
+  return at ? std::optional(at->section) : std::nullopt;
+}
+
 int mirrorOf(const DesignedSurface& surface, int handle) {
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
     const int row = handle / poles->columns, column = handle % poles->columns;

@@ -40,6 +40,9 @@ std::optional<SectionPoint> sectionPointOf(const DesignedSurface& surface, int h
 /// The handle that such a point is.
 int handleOf(const DesignedSurface& surface, const SectionPoint& point);
 
+/// What a handle is of, counted along the travel: its row of poles, its section or its key blade.
+std::optional<int> entryOf(const DesignedSurface& surface, int handle);
+
 /// The mirror image of a handle, left and right across the travel: itself in the middle, −1 without one.
 int mirrorOf(const DesignedSurface& surface, int handle);
 

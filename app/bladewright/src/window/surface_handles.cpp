@@ -183,6 +183,43 @@ void SurfaceHandles::removeSection() {
     if (app::removeSection(bench_, std::size_t(at->section))) choose({});
 }
 
+void SurfaceHandles::duplicate() {
+  if (const std::optional<int> blade = keyBlade()) {
+    if (app::repeatEntry(bench_, std::size_t(*blade))) choose({*blade + 1});
+  } else if (const std::optional<SectionPoint> at = sectionPoint()) {
+    if (app::repeatEntry(bench_, std::size_t(at->section)))
+      choose({app::handleOf(*surfaceOf(bench_), {at->section + 1, at->point})});
+  }
+}
+
+std::vector<std::size_t> SurfaceHandles::others() const {
+  const DesignedSurface* surface = surfaceOf(bench_);
+  if (!surface || !shown_ || chosen_.empty()) return {};
+  const std::optional<int> last = entryOf(*surface, chosen_.back());
+  std::vector<std::size_t> others;
+  for (const int handle : chosen_)
+    if (const std::optional<int> entry = entryOf(*surface, handle); entry && entry != last)
+      others.push_back(std::size_t(*entry));
+  std::ranges::sort(others);
+  const auto again = std::ranges::unique(others);
+  others.erase(again.begin(), again.end());
+  return others;
+}
+
+void SurfaceHandles::copyShape() {
+  const std::vector<std::size_t> to = others();
+  if (to.empty()) return;
+  const int from = *entryOf(*surfaceOf(bench_), chosen_.back());
+  const std::optional<SectionPoint> at = sectionPointOf(*surfaceOf(bench_), chosen_.back());
+  if (!app::copyShape(bench_, std::size_t(from), to) || !at) return;
+  // Sections may have other numbers of points now.
+  std::vector<int> handles;
+  for (const std::size_t entry : to)
+    handles.push_back(app::handleOf(*surfaceOf(bench_), {int(entry), at->point}));
+  handles.push_back(app::handleOf(*surfaceOf(bench_), *at));
+  choose(std::move(handles));
+}
+
 double SurfaceHandles::heightOf(const DesignedSurface& surface, int handle) const {
   return numberOf(surface, handle, HandleNumber::height).value_or(0);
 }

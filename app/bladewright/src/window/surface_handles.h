@@ -94,6 +94,12 @@ class SurfaceHandles : public QObject {
   void removePoint();
   void addSection();
   void removeSection();
+  /// What the one chosen is of once more, as it is, next to it along the travel.
+  void duplicate();
+  /// Rows of poles, sections or key blades that those chosen are of, besides that of the one chosen last.
+  std::vector<std::size_t> others() const;
+  /// Gives these the shape of that of the last.
+  void copyShape();
 
   QString nameOf(int handle) const;
   Eigen::Vector3d placeOf(int handle) const { return places()[std::size_t(handle)]; }

@@ -344,15 +344,24 @@ void MainWindow::makeHandleCommands() {
        &SurfaceHandles::addSection);
   edit("handles.removeSection", tr("&Remove section"),
        tr("Takes the section or the key blade of the handle away"), {}, &SurfaceHandles::removeSection);
+  edit("handles.duplicate", tr("&Duplicate along the wall"),
+       tr("The section or the key blade of the handle once more as it is, with its expressions, halfway to "
+          "the next one or beyond the last"),
+       {}, &SurfaceHandles::duplicate);
+  edit("handles.copyShape", tr("&Copy shape to those chosen"),
+       tr("Gives the rows, sections or key blades of all handles chosen the shape, with its expressions, of "
+          "that which was chosen last"),
+       {}, &SurfaceHandles::copyShape);
 }
 
 void MainWindow::refreshHandleCommands() {
   const bool point = handles_->sectionPoint().has_value(), blade = handles_->keyBlade().has_value();
   for (const char* id : {"handles.addPoint", "handles.removePoint"}) commands_[id]->setEnabled(point);
-  for (const char* id : {"handles.addSection", "handles.removeSection"})
+  for (const char* id : {"handles.addSection", "handles.removeSection", "handles.duplicate"})
     commands_[id]->setEnabled(point || blade);
   commands_["handles.addSection"]->setText(blade ? tr("Add key &blade") : tr("Add &section"));
   commands_["handles.removeSection"]->setText(blade ? tr("&Remove key blade") : tr("&Remove section"));
+  commands_["handles.copyShape"]->setEnabled(!handles_->others().empty());
   commands_["handles.number"]->setEnabled(handles_->shown() && !handles_->chosen().empty());
   const bool possible = handles_->possible();
   commands_["handles.symmetric"]->setEnabled(possible);
@@ -387,7 +396,8 @@ void MainWindow::makeMenus() {
   fill(edit, {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", ""});
   handleMenu_ = edit->addMenu(tr("&Handle"));
   fill(handleMenu_, {"handles.number", "", "handles.addPoint", "handles.removePoint", "handles.addSection",
-                     "handles.removeSection", "", "handles.symmetric", "handles.meet", "handles.snap"});
+                     "handles.removeSection", "handles.duplicate", "handles.copyShape", "",
+                     "handles.symmetric", "handles.meet", "handles.snap"});
   for (const int spacing : kHandleGrids) fill(handleMenu_, {qUtf8Printable(handleGridCommand(spacing))});
   fill(edit, {"versions.name", "versions.back", ""});
   fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "design.moulds", "blade.measure", "",

@@ -64,4 +64,28 @@ bool removeBlade(Workbench& bench, std::size_t blade) {
               withoutBlade(bench.design(), sourceOf(bench), blade));
 }
 
+namespace {
+
+bool isOfBlades(const Workbench& bench) {
+  return std::holds_alternative<BladesSurface>(bench.source().surface->shape);
+}
+
+}  // namespace
+
+bool repeatEntry(Workbench& bench, std::size_t entry) {
+  return take(bench,
+              words(isOfBlades(bench) ? "Duplicate key blade %1" : "Duplicate section %1").arg(entry + 1),
+              withEntryRepeated(bench.design(), sourceOf(bench), entry));
+}
+
+bool copyShape(Workbench& bench, std::size_t from, const std::vector<std::size_t>& to) {
+  const bool rows = std::holds_alternative<PolesSurface>(bench.source().surface->shape);
+  return take(bench,
+              words(isOfBlades(bench) ? "Copy shape of key blade %1"
+                    : rows            ? "Copy shape of row %1"
+                                      : "Copy shape of section %1")
+                  .arg(from + 1),
+              withShapeCopied(bench.design(), sourceOf(bench), from, to));
+}
+
 }  // namespace bw::app

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "workbench/workbench.h"
 
@@ -20,5 +21,9 @@ bool removeSection(Workbench& bench, std::size_t section);
 /// Not after the last.
 bool addBlade(Workbench& bench, std::size_t after);
 bool removeBlade(Workbench& bench, std::size_t blade);
+/// The section or key blade once more, after it.
+bool repeatEntry(Workbench& bench, std::size_t entry);
+/// Gives sections, key blades or rows of poles the shape of one of them.
+bool copyShape(Workbench& bench, std::size_t from, const std::vector<std::size_t>& to);
 
 }  // namespace bw::app

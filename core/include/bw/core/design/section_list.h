@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "bw/core/base/result.h"
 #include "bw/core/design/design.h"
@@ -34,5 +35,14 @@ Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_
 Result<Design> withBladeAfter(const Design& design, std::size_t source, std::size_t blade);
 /// The blades beside it run into each other then. Error (`badInput`): a surface keeps two.
 Result<Design> withoutBlade(const Design& design, std::size_t source, std::size_t blade);
+
+/// The section or the key blade once more as it is, with its expressions, halfway to the next one, or as far
+/// beyond the last one as that is from the one before it. Error (`badInput`): the surface has as many as it
+/// may.
+Result<Design> withEntryRepeated(const Design& design, std::size_t source, std::size_t entry);
+/// Gives sections, key blades or rows of poles the shape of one of them, with its expressions: all but their
+/// place along the travel. `source` is told by these.
+Design withShapeCopied(const Design& design, std::size_t source, std::size_t from,
+                       const std::vector<std::size_t>& to);
 
 }  // namespace bw
