@@ -9,7 +9,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kDisc = 4, kLitDisc = 5.5, kRim = 1.5, kReach = 9, kTick = 6, kMark = 10;  // px
+constexpr double kDisc = 4, kLitDisc = 5.5, kRim = 1.5, kReach = 9, kBar = 6, kMark = 10;  // px
 
 QPointF pixelOf(const SectionFrame& frame, const Eigen::Vector2d& place) {
   return frame.toArea.map(QPointF(place.x(), place.y()));
@@ -39,7 +39,7 @@ void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips
     // Across the way; upright ones are short where nothing is free.
     const QLineF along(from, to);
     const QPointF tick =
-        along.length() > 0 ? kTick / along.length() * QPointF(-along.dy(), along.dx()) : QPointF(kTick, 0);
+        along.length() > 0 ? kBar / along.length() * QPointF(-along.dy(), along.dx()) : QPointF(kBar, 0);
     for (const auto& [ends, at] : {std::pair(way.endsAtFrom, from), std::pair(way.endsAtTo, to)})
       if (ends) painter.drawLine(at - tick, at + tick);
   }
