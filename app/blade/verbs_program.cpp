@@ -183,8 +183,12 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
     std::cerr << "; least energy barrier " << shortText(*least->barrier, 2) << " N mm, at "
               << shortText(least->time, 4) << " s";
   if (simulation.minRadius > 0) std::cerr << "; smallest radius " << shortText(simulation.minRadius) << " mm";
-  if (simulation.blades.size() > 1)
-    std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s";
+  if (simulation.speeds)
+    std::cerr << "; fastest point " << shortText(simulation.speeds->max) << " mm/s, at "
+              << shortText(simulation.speeds->maxAt.time, 4) << " s";
+  if (run->surface && run->surface->speeds)
+    std::cerr << "; slowest that cuts " << shortText(run->surface->speeds->min) << " mm/s, at "
+              << shortText(run->surface->speeds->minAt.time, 4) << " s";
   std::cerr << "\n";
   return run->exceeded.empty() ? kDone : kLimitExceeded;
 }

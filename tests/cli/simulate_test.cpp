@@ -51,6 +51,18 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
     EXPECT_NEAR(surface["deviation_to_target_max_mm"].get<double>(),
                 summary["program_deviation_max_mm"].get<double>(), 0.02);
     EXPECT_NEAR(surface["covered_percent"].get<double>(), 100, 0.1);
+    // Where and when.
+    for (const char* key :
+         {"deviation_to_design_max_at", "deviation_to_target_max_at", "speed_min_at", "speed_max_at"}) {
+      EXPECT_EQ(surface[key]["at"].size(), 3u) << key;
+      EXPECT_GT(surface[key]["time"], 0) << key;
+      EXPECT_LT(surface[key]["time"], told["seconds"]) << key;
+    }
+    EXPECT_EQ(surface["deviation_to_design_max_at"]["at"], surface["deviation_to_design_at"]);
+    EXPECT_GT(surface["speed_min_mm_s"], 1);
+    EXPECT_LT(surface["speed_min_mm_s"], surface["speed_max_mm_s"]);
+    EXPECT_LE(surface["speed_max_mm_s"].get<double>(), told["speed_max_mm_s"].get<double>() + 1e-9);
+    EXPECT_LE(told["speed_min_mm_s"].get<double>(), surface["speed_min_mm_s"].get<double>() + 1e-9);
   }
   ASSERT_EQ(blade({"simulate", folder / "out", "--out", folder / "sim"}).status, 0);
   EXPECT_EQ(json::parse(slurp(folder / "sim/simulation.json")), rapid);
@@ -71,7 +83,11 @@ TEST(Simulate, AChangedTargetBreaksALimit) {
   const Finished run = blade({"simulate", folder / "out/programs/strip-0"});
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_NE(run.err.find("motion tolerance"), std::string::npos) << run.err;
-  EXPECT_GT(json::parse(run.out)["surface"]["deviation_to_design_max_mm"], 0.5);
+  const json surface = json::parse(run.out)["surface"];
+  EXPECT_GT(surface["deviation_to_design_max_mm"], 0.5);
+  // At that target, in the middle of the cut.
+  EXPECT_NEAR(surface["deviation_to_design_max_at"]["instant"].get<double>(), 25, 1);
+  EXPECT_NE(run.err.find(" mm (motion tolerance 0.1 mm), at "), std::string::npos) << run.err;
 }
 
 TEST(Simulate, WhatBreaksARuleOrHurriesIsTold) {

@@ -184,7 +184,7 @@ TEST(EntryExit, AStraightBladeIsLetGoToWhereItsWeightPulls) {
     const Result<Simulation> run = simulate(motion, sweep.request.blade, sweep.request.weight, {});
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_TRUE(run->snaps.empty());
-    EXPECT_LT(run->speedMax, 1.1 * motion.cuttingSpeed);
+    EXPECT_LT(run->speeds->max, 1.1 * motion.cuttingSpeed);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analytic_surfaces.h"
@@ -76,7 +77,7 @@ TEST(Simulation, CutsWhatIsShown) {
     EXPECT_TRUE(run->decided);
     EXPECT_TRUE(run->snaps.empty());
     EXPECT_EQ(run->blades.size(), 4 * (made.motion.instants.size() - 1) + 1);
-    EXPECT_NEAR(run->speedMax, settings.cuttingSpeed, 0.01 * settings.cuttingSpeed);
+    EXPECT_NEAR(run->speeds->max, settings.cuttingSpeed, 0.01 * settings.cuttingSpeed);
     const Result<SimulatedSurface> cut = made.compared(*run);
     ASSERT_TRUE(cut);
     EXPECT_LE(cut->toDesignMax, settings.motionTolerance);
@@ -122,8 +123,8 @@ TEST(Simulation, RunsAtTheCuttingSpeedBetweenTargetsToo) {
   for (MotionInstant& instant : motion.instants) instant.zone = 0;
   const Result<Simulation> run = simulate(motion, settings.blade, settings.weight, {});
   ASSERT_TRUE(run) << run.error().message;
-  EXPECT_LT(run->speedMax, 1.01 * settings.cuttingSpeed);
-  EXPECT_GT(run->speedMax, 0.95 * settings.cuttingSpeed);
+  EXPECT_LT(run->speeds->max, 1.01 * settings.cuttingSpeed);
+  EXPECT_GT(run->speeds->max, 0.95 * settings.cuttingSpeed);
 }
 
 TEST(Simulation, CornersAreParabolasWithinTheirZones) {
@@ -273,6 +274,13 @@ TEST(Simulation, RefusesWhatIsNoMotionOfABlade) {
             std::string::npos);
 }
 
+/// The pose of an end whose blade goes on inward, in a plane across y.
+Pose endAt(const Vector3d& place, const Vector3d& inward) {
+  Eigen::Matrix3d axes;
+  axes << inward, Vector3d::UnitY().cross(inward), Vector3d::UnitY();
+  return {place, Eigen::Quaterniond(axes)};
+}
+
 /// A blade of 800 mm with grips 780 mm apart, tilted by an angle towards one side at each of some times.
 Motion tilting(const std::vector<std::pair<double, double>>& angles) {
   Motion motion;
@@ -281,13 +289,8 @@ Motion tilting(const std::vector<std::pair<double, double>>& angles) {
   motion.cuttingSpeed = 20;
   for (const auto& [time, angle] : angles) {
     MotionInstant instant{time, -1, {}};
-    const auto end = [&](double x, const Vector3d& inward) {
-      Eigen::Matrix3d axes;
-      axes << inward, Vector3d::UnitY().cross(inward), Vector3d::UnitY();
-      instant.poses.push_back({{x, 10 * time, 0}, Eigen::Quaterniond(axes)});
-    };
-    end(0, {std::cos(angle), 0, std::sin(angle)});
-    end(780, {-std::cos(angle), 0, std::sin(angle)});
+    instant.poses = {endAt({0, 10 * time, 0}, {std::cos(angle), 0, std::sin(angle)}),
+                     endAt({780, 10 * time, 0}, {-std::cos(angle), 0, std::sin(angle)})};
     motion.instants.push_back(instant);
   }
   return motion;
@@ -393,11 +396,69 @@ TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
   EXPECT_TRUE(over->decided);
   ASSERT_EQ(over->snaps.size(), 1u);
   EXPECT_GT(over->snaps[0].time, 5) << "it stays on its side for a while";
-  EXPECT_GT(over->speedMax, 100);
+  EXPECT_GT(over->speeds->max, 100);
   const auto height = [&](const SimulatedBlade& now) {
     return now.frame.toWorld(now.blade.at(400).point).z();
   };
   EXPECT_GT(height(over->blades.front()) * -height(over->blades.back()), 0);
+}
+
+TEST(Simulation, MeansAreOverTheAreaThatIsCut) {
+  // A straight blade over a flat surface: 100 mm on it, 10 mm up to a mm above it, and 200 mm there, in moves
+  // of all lengths.
+  Motion motion;
+  motion.block = {Frame{{0, 0, 0}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}, {500, 310, 50}};
+  motion.bladeLength = 700;
+  for (const auto& [time, travel, height] :
+       {std::array{0.0, 0.0, 0.0}, {5.0, 100.0, 0.0}, {6.0, 110.0, 1.0}, {26.0, 310.0, 1.0}})
+    motion.instants.push_back(
+        {time,
+         0,
+         {endAt({-100, travel, height}, Vector3d::UnitX()), endAt({600, travel, height}, -Vector3d::UnitX())},
+         0.0});
+  SurfaceGrid shown;
+  shown.columns = 26;
+  for (double travel = 0; travel <= 310; travel += 10, ++shown.rows)
+    for (int c = 0; c < shown.columns; ++c) shown.points.emplace_back(20 * c, travel, 0);
+  const Result<Simulation> run = simulate(motion, Blade(), Vector3d::Zero(), {});
+  ASSERT_TRUE(run && !run->halt);
+  SurfaceGrid cut;
+  const Result<SimulatedSurface> surface =
+      compare(*run, shown, PlaneFamily::across(motion.block, Vector3d::UnitY()),
+              test::PlaneSampler(Vector3d::UnitZ()), {}, &cut);
+  ASSERT_TRUE(surface);
+  const double slope = std::hypot(10.0, 1.0), mean = (0.5 * slope + 200) / (100 + slope + 200);
+  EXPECT_NEAR(surface->toDesignMean, mean, 1e-6);
+  EXPECT_NEAR(surface->toTargetMean, mean, 1e-6);
+  EXPECT_NEAR(surface->covered, 1, 1e-9);
+  for (const auto& [most, at] :
+       {std::pair(surface->toDesignMax, surface->toDesignAt), {surface->toTargetMax, surface->toTargetAt}}) {
+    EXPECT_NEAR(most, 1, 1e-9);
+    EXPECT_NEAR(at.place.z(), 1, 1e-9);
+    EXPECT_GE(at.time, 6 - 1e-9);
+    EXPECT_GE(at.place.x(), -1e-9);
+    EXPECT_LE(at.place.x(), 500 + 1e-9);
+    EXPECT_NEAR(at.place.y(), at.time < 6 + 1e-9 ? 110 : 110 + 10 * (at.time - 6), 1e-6);
+  }
+  ASSERT_TRUE(surface->speeds && run->speeds);
+  for (const RunSpeeds& speeds : {*surface->speeds, *run->speeds}) {
+    EXPECT_NEAR(speeds.min, 10, 1e-9);
+    EXPECT_GT(speeds.minAt.time, 6);
+    EXPECT_NEAR(speeds.max, 20, 1e-9);
+    EXPECT_GT(speeds.maxAt.time, 0);
+    EXPECT_LE(speeds.maxAt.time, 5);
+  }
+  // What is cut ends where the surface does, and its fields are these distances.
+  ASSERT_EQ(cut.rows, 13);
+  ASSERT_EQ(cut.points.size(), std::size_t(cut.rows) * std::size_t(cut.columns));
+  for (int r = 0; r < cut.rows; ++r) {
+    EXPECT_NEAR(cut.at(r, 0).x(), 0, 0.01);
+    EXPECT_NEAR(cut.at(r, cut.columns - 1).x(), 500, 0.01);
+  }
+  for (std::size_t i = 0; i < cut.points.size(); ++i) {
+    EXPECT_NEAR(cut.field("deviation")->values[i], cut.points[i].z(), 1e-9);
+    EXPECT_NEAR(cut.field("from_shown")->values[i], cut.points[i].z(), 1e-9);
+  }
 }
 
 }  // namespace

@@ -154,13 +154,17 @@ void judgeFloor(const Simulation& simulation, const CutEvaluation& cut, double m
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
-  const auto above = [&](double value, double limit, const std::string& what, const std::string& of) {
+  const auto above = [&](double value, const RunSpot& at, double limit, const std::string& what,
+                         const std::string& of) {
     if (value > limit)
-      exceeded.push_back(what + " " + shortText(value) + " mm (" + of + " " + shortText(limit) + " mm)");
+      exceeded.push_back(what + " " + shortText(value) + " mm (" + of + " " + shortText(limit) + " mm), at " +
+                         shortText(at.time, 4) + " s at (" + shortText(at.place.x(), 4) + ", " +
+                         shortText(at.place.y(), 4) + ", " + shortText(at.place.z(), 4) + ")");
   };
-  above(surface.toDesignMax, design.process.motionTolerance + simulation.straightWithin,
+  above(surface.toDesignMax, surface.toDesignAt, design.process.motionTolerance + simulation.straightWithin,
         "from the surface shown the blade lies up to", "motion tolerance");
-  above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
+  above(surface.toTargetMax, surface.toTargetAt, design.process.tolerance,
+        "from the target the blade lies up to", "tolerance");
   if (surface.covered <= 0 && !simulation.halt)
     exceeded.push_back("no part of the blade comes over the surface shown");
   else if (surface.covered > 0 && surface.covered < kAll)
@@ -169,14 +173,30 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   if (simulation.marginMin < design.process.margin - kRounded)
     exceeded.push_back("the stability margin falls to " + shortText(simulation.marginMin, 2) +
                        " (asked for: " + shortText(design.process.margin, 2) + ")");
-  if (simulation.speedMax > kFaster * design.process.cuttingSpeed)
-    exceeded.push_back("the fastest point of the blade goes at " + shortText(simulation.speedMax) +
+  if (const std::optional<RunSpeeds>& speeds = simulation.speeds;
+      speeds && speeds->max > kFaster * design.process.cuttingSpeed)
+    exceeded.push_back("at " + shortText(speeds->maxAt.time, 4) +
+                       " s the fastest point of the blade goes at " + shortText(speeds->max) +
                        " mm/s (cutting speed " + shortText(design.process.cuttingSpeed) + " mm/s)");
   const double least = 1 / design.blade.maxCurvature();
   if (simulation.minRadius > 0 && simulation.minRadius < least * (1 - kRounded))
     exceeded.push_back("the blade bends to a radius of " + shortText(simulation.minRadius) +
                        " mm (least: " + shortText(least) + " mm)");
   return exceeded;
+}
+
+ordered_json placeJson(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
+
+ordered_json spotJson(const RunSpot& spot) {
+  return {{"instant", spot.instant}, {"time", spot.time}, {"at", placeJson(spot.place)}};
+}
+
+/// The slowest and the fastest point, and where they are; null where nothing moves.
+void addSpeeds(ordered_json& object, const std::optional<RunSpeeds>& speeds) {
+  object["speed_min_mm_s"] = speeds ? ordered_json(speeds->min) : ordered_json(nullptr);
+  object["speed_min_at"] = speeds ? spotJson(speeds->minAt) : ordered_json(nullptr);
+  object["speed_max_mm_s"] = speeds ? ordered_json(speeds->max) : ordered_json(nullptr);
+  object["speed_max_at"] = speeds ? spotJson(speeds->maxAt) : ordered_json(nullptr);
 }
 
 }  // namespace
@@ -295,7 +315,7 @@ std::string simulationText(const ProgramRun& run) {
     object["halted"] = {{"why", haltName(halt->why)},
                         {"instant", halt->instant},
                         {"time", halt->time},
-                        {"at", {halt->place.x(), halt->place.y(), halt->place.z()}}};
+                        {"at", placeJson(halt->place)}};
   object["margin_min"] = ran ? ordered_json(simulation.marginMin) : ordered_json(nullptr);
   const BarrierLook* least = leastBarrier(run.barriers);
   object["barrier_min_Nmm"] = least ? ordered_json(*least->barrier) : ordered_json(nullptr);
@@ -311,7 +331,7 @@ std::string simulationText(const ProgramRun& run) {
   object["min_radius_mm"] =
       simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
   object["straight_within_mm"] = simulation.straightWithin;
-  object["speed_max_mm_s"] = simulation.speedMax;
+  addSpeeds(object, simulation.speeds);
   object["snaps"] = ordered_json::array();
   for (const Simulation::Snap& snap : simulation.snaps)
     object["snaps"].push_back({{"instant", snap.instant}, {"time", snap.time}});
@@ -321,10 +341,13 @@ std::string simulationText(const ProgramRun& run) {
     object["surface"] = {{"deviation_to_design_max_mm", s.toDesignMax},
                          {"deviation_to_design_at_targets_max_mm", s.toDesignAtTargets},
                          {"deviation_to_design_mean_mm", s.toDesignMean},
-                         {"deviation_to_design_at", {s.worst.x(), s.worst.y(), s.worst.z()}},
+                         {"deviation_to_design_at", placeJson(s.toDesignAt.place)},
+                         {"deviation_to_design_max_at", spotJson(s.toDesignAt)},
                          {"deviation_to_target_max_mm", s.toTargetMax},
                          {"deviation_to_target_mean_mm", s.toTargetMean},
+                         {"deviation_to_target_max_at", spotJson(s.toTargetAt)},
                          {"covered_percent", 100 * s.covered}};
+    addSpeeds(object["surface"], s.speeds);
   }
   object["exceeded"] = run.exceeded;
   return object.dump(2) + "\n";

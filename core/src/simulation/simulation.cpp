@@ -13,7 +13,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/text/number_text.h"
-#include "sweep/surface_rows.h"
+#include "simulation/run_speeds.h"
 
 namespace bw {
 
@@ -23,14 +23,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kBetween = 4;           // moves from instant to instant
-constexpr int kHalvings = 14;         // of the way between two of them
-constexpr int kAcross = 40;           // places of the blade at least on a row of the surface shown,
-constexpr int kMostPlaces = 2001;     // and of all of it at most
 constexpr double kTaut = 0.05;        // mm that a blade may sag by its slack
 constexpr double kHardlySlack = 0.5;  // mm: so close to the straight line that it counts as it, if need be
 constexpr double kClearGap = 0.05;    // of its energy, by which a shape is clearly lower than another
 constexpr double kStretch = 1e-3;     // mm, rounding of written positions
-constexpr double kEdge = 0.01;        // mm beyond the first or the last row: rounding
 constexpr double kOffPlane = 0.5;     // mm, of an end,
 constexpr double kTilted = fromDegrees(0.5);
 
@@ -239,12 +235,14 @@ Step<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool
     if (!held) return lost(held.error().message);
     blade = held->blade;
   }
-  const double margin = branch_ ? marginsOf(*blade).inPlane : 1;
-  result_.marginMin = std::min(result_.marginMin, margin);
+  SimulatedBlade now{time, instant, frame, *blade};
+  now.atInstant = atInstant;
+  if (branch_) now.margin = marginsOf(*blade).inPlane;
+  result_.marginMin = std::min(result_.marginMin, now.margin);
   const double curvature = blade->maxCurvature();
   if (curvature > 0 && (result_.minRadius == 0 || 1 / curvature < result_.minRadius))
     result_.minRadius = 1 / curvature;
-  result_.blades.push_back({time, instant, frame, *blade, margin, atInstant});
+  result_.blades.push_back(std::move(now));
   return {};
 }
 
@@ -264,6 +262,21 @@ Step<void> Runner::moment(std::size_t instant, double share, bool atInstant) {
   return ok;
 }
 
+std::optional<RunSpeeds> speedsOf(const Simulation& simulation) {
+  std::optional<RunSpeeds> speeds;
+  const SurfaceGrid grid = simulation.swept();
+  for (int r = 1; r < grid.rows; ++r) {
+    const SimulatedBlade& now = simulation.blades[std::size_t(r)];
+    const double seconds = now.time - simulation.blades[std::size_t(r) - 1].time;
+    if (!(seconds > 0)) continue;
+    for (int c = 0; c < grid.columns; ++c) {
+      const double speed = (grid.at(r, c) - grid.at(r - 1, c)).norm() / seconds;
+      see(speeds, speed, {grid.at(r, c), now.time, now.instant});
+    }
+  }
+  return speeds;
+}
+
 Result<Simulation> Runner::run(const RunContext& context) {
   const std::size_t n = motion_.instants.size();
   for (std::size_t i = 0; i < n && !result_.halt; ++i)
@@ -274,14 +287,7 @@ Result<Simulation> Runner::run(const RunContext& context) {
       const Step<void> ok = moment(from, from == i ? 0 : double(k) / kBetween, from == i);
       if (!ok) result_.halt = ok.error();
     }
-  const SurfaceGrid grid = result_.swept();
-  for (int r = 1; r < grid.rows; ++r) {
-    double farthest = 0;
-    for (int c = 0; c < grid.columns; ++c)
-      farthest = std::max(farthest, (grid.at(r, c) - grid.at(r - 1, c)).norm());
-    const double seconds = result_.blades[std::size_t(r)].time - result_.blades[std::size_t(r) - 1].time;
-    if (seconds > 0) result_.speedMax = std::max(result_.speedMax, farthest / seconds);
-  }
+  result_.speeds = speedsOf(result_);
   return std::move(result_);
 }
 
@@ -316,91 +322,6 @@ Result<Simulation> simulate(const Motion& motion, const Blade& blade, const Vect
     return fail(ErrorCode::badInput, "a motion that is run needs two instants or more, each of two ends",
                 "motion", double(motion.instants.size()), 2.0);
   return Runner(motion, blade, weight).run(context);
-}
-
-Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
-                                 const PlaneFamily& planes, const SurfaceSampler& target,
-                                 const RunContext& context) {
-  SimulatedSurface surface;
-  if (simulation.blades.empty()) return surface;
-  const sweep::SurfaceRows rows(shown, planes);
-  const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-  double widest = 0;
-  for (int r = 0; r < shown.rows; ++r)
-    widest = std::max(widest, (shown.at(r, shown.columns - 1) - shown.at(r, 0)).norm());
-  const double length = simulation.blades.front().blade.length();
-  const int columns =
-      widest > 0 ? int(std::clamp(std::ceil(kAcross * length / widest), 100.0, double(kMostPlaces))) + 1
-                 : kMostPlaces;
-  const SurfaceGrid grid = simulation.swept(columns);
-  const Vector3d& d = planes.direction();
-  const auto level = [&](int r) {
-    return d.dot(simulation.blades[std::size_t(std::clamp(r, 0, grid.rows - 1))].frame.origin);
-  };
-  const double begin = d.dot(shown.at(0, 0)), end = d.dot(shown.at(shown.rows - 1, 0));
-  double sum = 0, design = 0, away = 0;
-  std::vector<std::pair<double, double>> passed;  // of the travel, from where to where, whichever way
-  bool metBefore = false;
-  bool meets = false;  // the surface, or what goes on before it and after it
-  const auto over = [&](const Vector3d& place) {
-    const sweep::SurfaceRows::Seen seen = rows.look(place);
-    meets = meets || seen.beside <= 0;
-    return seen.across <= kEdge && seen.beside <= 0;
-  };
-  std::optional<SurfaceSampler::Foot> seed;
-  for (int r = 0; r < grid.rows; ++r) {
-    if (context.stopped()) return stoppedError();
-    std::vector<Vector3d> places;
-    const SimulatedBlade& now = simulation.blades[std::size_t(r)];
-    const auto placeAt = [&](double column) -> Vector3d {
-      return now.frame.toWorld(now.blade.at(column * now.blade.length() / (columns - 1)).point);
-    };
-    // With the places where it comes over the surface and leaves it.
-    bool inside = false;
-    meets = false;
-    for (int c = 0; c < grid.columns; ++c) {
-      const bool here = over(grid.at(r, c));
-      if (here != inside && c > 0) {
-        double in = here ? c : c - 1, out = here ? c - 1 : c;
-        for (int k = 0; k < kHalvings; ++k) (over(placeAt(0.5 * (in + out))) ? in : out) = 0.5 * (in + out);
-        places.push_back(placeAt(in));
-      }
-      if (here) places.push_back(grid.at(r, c));
-      inside = here;
-    }
-    if (meets && metBefore) passed.push_back(std::minmax({level(r - 1), level(r)}));
-    metBefore = meets;
-    const double weight = 0.5 * std::abs(level(r + 1) - level(r - 1));  // of travel
-    for (const Vector3d& place : places) {
-      const double fromDesign = rows.look(place).distance;
-      const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
-      if (!foot) return tl::unexpected<Error>(foot.error());
-      seed = *foot;
-      sum += weight;
-      design += weight * fromDesign;
-      const double fromTarget = std::abs(sampler->offset(place, *foot));
-      away += weight * fromTarget;
-      surface.toTargetMax = std::max(surface.toTargetMax, fromTarget);
-      if (now.atInstant) surface.toDesignAtTargets = std::max(surface.toDesignAtTargets, fromDesign);
-      if (fromDesign > surface.toDesignMax) {
-        surface.toDesignMax = fromDesign;
-        surface.worst = place;
-      }
-    }
-  }
-  if (sum > 0) {
-    surface.toDesignMean = design / sum;
-    surface.toTargetMean = away / sum;
-  }
-  // Together, what is passed twice once.
-  std::ranges::sort(passed);
-  double reached = begin, covered = 0;
-  for (const auto& [from, to] : passed) {
-    covered += std::max(0.0, std::min(to, end) - std::max(from, reached));
-    reached = std::max(reached, to);
-  }
-  if (sum > 0 && end > begin) surface.covered = covered / (end - begin);
-  return surface;
 }
 
 }  // namespace bw

@@ -26,8 +26,8 @@ struct SimulatedBlade {
   std::size_t instant = 0;  ///< of the motion, the last one that was passed
   Frame frame;              ///< of the plane in which it bends, in the file's frame
   HeavyBlade blade;
-  double margin = 1;       ///< of stability
-  bool atInstant = false;  ///< not between two
+  double margin = 1;            ///< of stability
+  bool atInstant = false;       ///< not between two
 };
 
 /// Where a blade cannot go on as its ends are moved.
@@ -48,6 +48,19 @@ struct Halt {
 /// "tears", "off-plane", "lost".
 const char* haltName(Halt::Why why);
 
+/// Where and when something is seen on a run.
+struct RunSpot {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< in the file's frame
+  double time = 0;                                  ///< s
+  std::size_t instant = 0;                          ///< of the motion, the last one that was passed
+};
+
+/// How fast points of the blade go, mm/s, and where they do.
+struct RunSpeeds {
+  double min = 0, max = 0;
+  RunSpot minAt = {}, maxAt = {};
+};
+
 /// What a motion does to the blade, found from the poses of its ends alone.
 struct Simulation {
   std::vector<SimulatedBlade> blades;  ///< in the order of time
@@ -61,8 +74,8 @@ struct Simulation {
   /// mm, how far a blade may lie from the straight line that was taken for it, its shape not being found.
   double straightWithin = 0;
   double marginMin = 1;
-  double minRadius = 0;  ///< mm; 0 for a blade that stays straight
-  double speedMax = 0;   ///< mm/s of the fastest point of the blade
+  double minRadius = 0;                  ///< mm; 0 for a blade that stays straight
+  std::optional<RunSpeeds> speeds = {};  ///< of the whole blade; none before it has moved
 
   /// The surface that the whole blade sweeps: a row a moment, points at equal arc length, in the file's
   /// frame.
@@ -77,19 +90,22 @@ struct Simulation {
 [[nodiscard]] Result<Simulation> simulate(const Motion& motion, const Blade& blade,
                                           const Eigen::Vector3d& weight, const RunContext& context);
 
-/// How far what a motion cuts lies from what was designed.
+/// How far what a motion cuts lies from what was designed. Means are over the area that is cut.
 struct SimulatedSurface {
   double toDesignMax = 0, toDesignMean = 0;  ///< mm, from the surface shown, in the planes of the blade
   double toDesignAtTargets = 0;              ///< mm, the largest at the instants of the motion
   double toTargetMax = 0, toTargetMean = 0;  ///< mm, of the same places, from the target
-  Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< where it is farthest from the surface shown
-  double covered = 0;                               ///< 0…1, of the travel of the surface shown
+  RunSpot toDesignAt = {}, toTargetAt = {};  ///< where it is farthest from the one and from the other
+  std::optional<RunSpeeds> speeds = {};      ///< of the points that cut; none where they do not go on
+  double covered = 0;                        ///< 0…1, of the travel of the surface shown
 };
 
 /// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`; of a run that
-/// halts what comes before. Errors: those of the sampler; `cancelled`.
+/// halts what comes before. `cut`, unless it is null, gets what is cut: a row a moment from where the blade
+/// comes over the surface to where it leaves it, at equal arc length, with the fields "deviation" (mm from
+/// the target, signed where it has sides) and "from_shown" (mm). Errors: those of the sampler; `cancelled`.
 [[nodiscard]] Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
                                                const PlaneFamily& planes, const SurfaceSampler& target,
-                                               const RunContext& context);
+                                               const RunContext& context, SurfaceGrid* cut = nullptr);
 
 }  // namespace bw
