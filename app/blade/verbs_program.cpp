@@ -12,6 +12,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/run_identity.h"
+#include "bw/pipeline/scene_content.h"
 #include "bw/pipeline/simulate.h"
 #include "bw/robotio/dialects.h"
 #include "verbs.h"
@@ -159,8 +160,17 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   const Result<pipeline::ProgramRun> run =
       pipeline::runProgram(*program, design ? &*design : nullptr, session.context(), length);
   if (!run) return session.complain(run.error());
-  const FileSet files = pipeline::simulationFiles(*run);
+  FileSet files = pipeline::simulationFiles(*run);
   if (!options.out.empty()) {
+    const auto pictures = pipeline::simulationPictures(*run, session.context());
+    if (session.stop.stop_requested()) return session.complain(stoppedError().value());
+    if (!pictures) {
+      // What the program does is known all the same.
+      session.endProgress();
+      std::cerr << "warning: no pictures are written: " << printable(pictures.error().message) << "\n";
+    } else {
+      for (const pipeline::ReportPicture& picture : *pictures) files.add(picture.name + ".png", picture.png);
+    }
     if (Result<void> ok = session.writeFiles(files, options.out); !ok) return session.complain(ok.error());
   } else {
     std::cout << pipeline::simulationText(*run);
@@ -229,7 +239,8 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
             "Design or folder of results to compare with; default: that of the results PROGRAM lies in")
         ->type_name("PATH");
     verb->add_option("--out", options->out,
-                     "Folder for simulation.json and cut.obj; without it the first goes to standard output")
+                     "Folder for simulation.json, cut.obj and pictures of what is cut; without it the first "
+                     "goes to standard output")
         ->type_name("DIR");
     verb->footer("Example:\n  blade simulate out/panel --out out/simulation");
     onChosen(*verb, session, work, options, runSimulate);

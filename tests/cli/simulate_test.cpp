@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "process.h"
 
@@ -67,6 +69,42 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
   ASSERT_EQ(blade({"simulate", folder / "out", "--out", folder / "sim"}).status, 0);
   EXPECT_EQ(json::parse(slurp(folder / "sim/simulation.json")), rapid);
   EXPECT_EQ(slurp(folder / "sim/cut.obj").substr(0, 1), "#");
+}
+
+/// Width and height of a PNG; 0 for what is none.
+std::pair<int, int> sizeOf(const std::string& png) {
+  if (png.size() < 24 || png.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t k = 0; k < 4; ++k) value = 256 * value + int(static_cast<unsigned char>(png[at + k]));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(Simulate, DrawsWhatTheProgramCuts) {
+  const Folder folder;
+  rationalize(folder);
+  const Finished run = blade({"simulate", folder / "out", "--out", folder / "sim"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string target = slurp(folder / "sim/cut.png"), shown = slurp(folder / "sim/cut-from-shown.png");
+  EXPECT_EQ(sizeOf(target), std::pair(1280, 800));
+  EXPECT_EQ(sizeOf(shown), std::pair(1280, 800));
+  EXPECT_NE(target, shown);
+  // It is that of the program: of another one it is another.
+  const std::string path = "out/programs/strip-0/motion.json";
+  json motion = json::parse(slurp(folder / path));
+  motion["instants"].erase(motion["instants"].begin() + int(motion["instants"].size()) / 2,
+                           motion["instants"].end());
+  ASSERT_EQ(blade({"simulate", folder.write(path, motion.dump()), "--out", folder / "half"}).status, 1);
+  EXPECT_EQ(sizeOf(slurp(folder / "half/cut.png")), std::pair(1280, 800));
+  EXPECT_NE(slurp(folder / "half/cut.png"), target);
+  // Without a design there is no surface to hold it against.
+  ASSERT_EQ(
+      blade({"simulate", folder.write("alone/motion.json", motion.dump()), "--out", folder / "own"}).status,
+      0);
+  EXPECT_EQ(sizeOf(slurp(folder / "own/cut.png")), std::pair(1280, 800));
+  EXPECT_FALSE(std::filesystem::exists(folder / "own/cut-from-shown.png"));
 }
 
 TEST(Simulate, AChangedTargetBreaksALimit) {

@@ -255,9 +255,12 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
       middle = middleSampler(*cut->target.value, *cut->middle.value, run.kerf, run.melted);
     }
     const Result<SimulatedSurface> surface =
-        compare(run.simulation, shown, cut->setup->planes, *middle, context);
+        compare(run.simulation, shown, cut->setup->planes, *middle, context, &run.compared.cut);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
+    run.compared.target = cut->targetMesh.value;
+    run.compared.tolerance = design->process.tolerance;
+    run.compared.motionTolerance = design->process.motionTolerance;
     Result<std::vector<BarrierLook>> barriers =
         barriersAlong(run.simulation, blade.flexuralRigidity(), context);
     if (!barriers) return tl::unexpected<Error>(barriers.error());
@@ -353,12 +356,16 @@ std::string simulationText(const ProgramRun& run) {
   return object.dump(2) + "\n";
 }
 
+SurfaceGrid standing(const ProgramRun& run, SurfaceGrid swept) {
+  return run.melted ? standingBeside(std::move(swept), run.kerf, *run.melted)
+                    : standingBeside(std::move(swept), run.kerf);
+}
+
 FileSet simulationFiles(const ProgramRun& run) {
   FileSet files;
   files.add("simulation.json", simulationText(run));
-  const SurfaceGrid standing = run.melted ? standingBeside(run.simulation.swept(), run.kerf, *run.melted)
-                                          : standingBeside(run.simulation.swept(), run.kerf);
-  files.add("cut.obj", objText({{"cut_surface", &standing}}));
+  const SurfaceGrid cut = standing(run, run.simulation.swept());
+  files.add("cut.obj", objText({{"cut_surface", &cut}}));
   return files;
 }
 

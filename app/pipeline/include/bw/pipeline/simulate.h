@@ -13,16 +13,25 @@
 #include "bw/core/files/file_set.h"
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
+#include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/kerf_field.h"
 #include "bw/robotio/text/program_text.h"
 
 namespace bw::pipeline {
+
+/// What a run is seen with.
+struct ComparedRun {
+  SurfaceGrid cut = {};  ///< what the blade cuts of the surface shown (`bw::compare`)
+  std::shared_ptr<const TriangleMesh> target = {};
+  double tolerance = 0, motionTolerance = 0;  ///< mm
+};
 
 /// A program that was read back and run.
 struct ProgramRun {
   Motion motion;
   Simulation simulation;
   std::optional<SimulatedSurface> surface = {};  ///< only with a design
+  ComparedRun compared = {};                     ///< likewise
   std::vector<BarrierLook> barriers = {};        ///< likewise
   std::string block = {}, cut = {};              ///< ids of what it was compared with; likewise
   Kerf kerf = {};                                ///< of that cut; likewise
@@ -44,6 +53,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
 
 /// The text of simulation.json.
 std::string simulationText(const ProgramRun& run);
+/// What stands beside what the middle of the blade of a run sweeps: by half the kerf of what it was compared
+/// with.
+SurfaceGrid standing(const ProgramRun& run, SurfaceGrid swept);
 /// simulation.json and cut.obj.
 FileSet simulationFiles(const ProgramRun& run);
 

@@ -6,6 +6,7 @@
 
 #include "bw/pipeline/handover.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/simulate.h"
 #include "bw/pipeline/sketch.h"
 #include "bw/scene/scene.h"
 
@@ -17,6 +18,11 @@ scene::Content sceneContent(const Evaluation& evaluation);
 /// The pictures of a report on an evaluation (`kReportPictures`), drawn without a window. Errors: those of
 /// `scene::Scene::render`; `cancelled`.
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context);
+/// What a program cuts that was run, drawn without a window: "cut", by its deviation from the target, and
+/// "cut-from-shown", by its distance from the surface shown, with the largest of either at its place. A run
+/// that comes over no surface has one picture, of all that the blade sweeps. Errors: those of
+/// `scene::Scene::render`; `cancelled`.
+Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context);
 /// What a picture of a sketch shows.
 scene::Content sceneContent(const Sketch& sketch);
 /// What of that is another than in the picture of the sketch before, for `scene::Scene::replace`; empty where
