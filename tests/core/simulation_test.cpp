@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "analytic_surfaces.h"
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/simulation/barriers.h"
+#include "bw/core/simulation/run_findings.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
 #include "plane_sections.h"
@@ -459,6 +461,98 @@ TEST(Simulation, MeansAreOverTheAreaThatIsCut) {
     EXPECT_NEAR(cut.field("deviation")->values[i], cut.points[i].z(), 1e-9);
     EXPECT_NEAR(cut.field("from_shown")->values[i], cut.points[i].z(), 1e-9);
   }
+}
+
+/// An arch of 800 mm with grips tilted and apart by so much at each second.
+Motion arching(const std::vector<double>& tilts, const std::vector<double>& bases,
+               const std::vector<int>& stations) {
+  Motion motion;
+  motion.block = {Frame{}, {100, 100, 100}};
+  motion.bladeLength = 800;
+  for (std::size_t i = 0; i < tilts.size(); ++i) {
+    const double c = std::cos(tilts[i]), s = std::sin(tilts[i]), y = 10 * double(i);
+    motion.instants.push_back(
+        {double(i), stations[i], {endAt({0, y, 0}, {c, 0, s}), endAt({bases[i], y, 0}, {-c, 0, s})}, 0.0});
+  }
+  return motion;
+}
+
+/// Its grips are tilted over and brought together, until its feet cross.
+Motion closing() { return arching({0.5, 1.6, 2.3, 2.3}, {700, 400, 150, -60}, {-1, -1, 5, 10}); }
+
+TEST(Simulation, SeesABladeThatCrossesItselfBetweenTargets) {
+  const Motion motion = closing();
+  const Result<Simulation> run = simulate(motion, Blade(), Vector3d::Zero(), {});
+  ASSERT_TRUE(run) << run.error().message;
+  ASSERT_FALSE(run->halt) << run->halt->time << " " << run->halt->reason;
+  const std::vector<RunStretch> crossings = run->crossings();
+  ASSERT_EQ(crossings.size(), 1u);
+  const SimulatedBlade &first = run->blades[crossings[0].first], &last = run->blades[crossings[0].last];
+  EXPECT_GT(first.time, 2) << "with its feet apart it does not";
+  EXPECT_LT(first.time, 3) << "and between its targets it does";
+  EXPECT_EQ(last.time, 3);
+  for (const SimulatedBlade& at : run->blades)
+    EXPECT_EQ(at.crossesItself, at.blade.at(800).point.x() < at.blade.at(0).point.x()) << at.time;
+  const Findings told = runFindings(*run, {}, motion, {}, {}, {});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].severity, Severity::error);
+  EXPECT_TRUE(std::get<BladeCrosses>(told[0].cause).itself);
+  EXPECT_EQ(told[0].where.stations, (StationRange{5, 10, 5, 0}));
+  ASSERT_TRUE(told[0].where.point);
+  const auto with = [&](const StationRange& stations) {
+    return runFindings(*run, {}, motion, {}, {}, {{Severity::error, BladeCrosses{true}, {stations, {}}, {}}});
+  };
+  EXPECT_TRUE(with(StationRange::of(10)).empty()) << "what is told at a station is not told again";
+  EXPECT_EQ(with(StationRange::of(11)).size(), 1u);
+  // On the way in: no station is before it.
+  Motion early = motion;
+  for (MotionInstant& instant : early.instants) instant.station = -1;
+  early.instants.back().station = 3;
+  EXPECT_EQ(runFindings(*run, {}, early, {}, {}, {})[0].where.stations, (StationRange{-1, 3, 3, 0}));
+}
+
+TEST(Simulation, SeesARoundBladeThatDoesNotRestInItsPlane) {
+  // Pressed together it would rather twist; a flat one is stiff across its plane.
+  const Motion motion = arching({0.1, 0.1, 0.1}, {600, 500, 250}, {-1, 7, -1});
+  Blade blade;
+  const Result<Simulation> round = simulate(motion, blade, Vector3d::Zero(), {});
+  ASSERT_TRUE(round && !round->halt);
+  const std::vector<RunStretch> twists = round->twists();
+  ASSERT_EQ(twists.size(), 1u);
+  EXPECT_GT(round->blades[twists[0].first].time, 1);
+  EXPECT_EQ(twists[0].last + 1, round->blades.size());
+  EXPECT_EQ(twists[0].worst, twists[0].last) << "the more it is pressed";
+  for (const SimulatedBlade& at : round->blades)
+    EXPECT_NEAR(at.outOfPlaneMargin, marginsOf(at.blade).outOfPlane, 1e-9) << at.time;
+  const Findings told = runFindings(*round, {}, motion, {}, {}, {});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<WouldTwist>(told[0].cause));
+  EXPECT_EQ(told[0].where.stations, (StationRange{7, -1, 7, 0})) << "on the way out";
+  blade.section = Blade::Section::flat;
+  blade.width = 5;
+  blade.thickness = 1;
+  const Result<Simulation> flat = simulate(motion, blade, Vector3d::Zero(), {});
+  ASSERT_TRUE(flat && !flat->halt);
+  EXPECT_TRUE(flat->twists().empty());
+  EXPECT_TRUE(runFindings(*flat, {}, motion, {}, {}, {}).empty());
+}
+
+TEST(Simulation, WhatACornerCutsAwayIsAFinding) {
+  const test::RowSettings settings = heavySettings();
+  const Made made(settings);
+  Motion wide = made.motion;
+  for (std::size_t i = 1; i + 1 < wide.instants.size(); ++i) wide.instants[i].zone = 50;
+  const Result<Simulation> run = simulate(wide, settings.blade, settings.weight, {});
+  ASSERT_TRUE(run);
+  const SimulatedSurface cut = made.compared(*run).value();
+  WayRequest request{settings.tolerance, settings.clearance, 0.5 * cut.toDesignMax};
+  const Findings told = runFindings(*run, cut, wide, made.analysis, request, {});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(std::get<OffTheSurfaceShown>(told[0].cause).distance, cut.toDesignMax);
+  ASSERT_TRUE(told[0].where.stations);
+  EXPECT_TRUE(runFindings(*run, cut, wide, made.analysis, request, told).empty());
+  request.motionTolerance = 2 * cut.toDesignMax;
+  EXPECT_TRUE(runFindings(*run, cut, wide, made.analysis, request, {}).empty());
 }
 
 }  // namespace

@@ -64,6 +64,21 @@ TEST(Findings, OneStationSeveralAndSomeOfThem) {
       "is within 0.25 mm of the section");
 }
 
+TEST(Findings, SayWhereABladeCannotBeBetweenStations) {
+  const std::string crosses =
+      "the blade crosses itself, which no blade between two robots can; cut it in parts";
+  EXPECT_EQ(said(BladeCrosses{true}, kOne).find("station 8: " + crosses), 0u);
+  EXPECT_EQ(said(BladeCrosses{true}, StationRange{4, 5, 4, 0})
+                .find("on the way from station 5 to station 6 " + crosses),
+            0u);
+  EXPECT_EQ(
+      said(BladeCrosses{true}, StationRange{-1, 0, 0, 0}).find("on the way in, before station 1, " + crosses),
+      0u);
+  EXPECT_EQ(said(WouldTwist{}, StationRange{32, -1, 32, 0})
+                .find("on the way out, after station 33, a round blade would twist"),
+            0u);
+}
+
 TEST(Findings, SayWhereTheSkinLeavesABlade) {
   EXPECT_EQ(said(SkinOff{0.034, 0.01}, StationRange{2, 4, 3, 3}),
             "stations 3 to 5 (worst: 4): the surface that is measured and written lies up to 0.034 mm from "

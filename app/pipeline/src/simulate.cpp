@@ -151,6 +151,13 @@ void judgeFloor(const Simulation& simulation, const CutEvaluation& cut, double m
                        " the face that the block lies on (floor: " + shortText(*floor) + " mm)");
 }
 
+/// When a stretch of a run is.
+std::string whenText(const Simulation& simulation, const RunStretch& at) {
+  const double from = simulation.blades[at.first].time, to = simulation.blades[at.last].time;
+  return at.first == at.last ? "at " + shortText(from, 4) + " s "
+                             : "from " + shortText(from, 4) + " s to " + shortText(to, 4) + " s ";
+}
+
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
@@ -182,6 +189,9 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   if (simulation.minRadius > 0 && simulation.minRadius < least * (1 - kRounded))
     exceeded.push_back("the blade bends to a radius of " + shortText(simulation.minRadius) +
                        " mm (least: " + shortText(least) + " mm)");
+  for (const RunStretch& at : simulation.twists())
+    exceeded.push_back(whenText(simulation, at) +
+                       "the round blade would twist out of its plane rather than rest in its shape");
   return exceeded;
 }
 
@@ -289,6 +299,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
   if (const std::optional<Halt>& halt = run.simulation.halt)
     run.exceeded.push_back(haltText(*halt, run.motion.bladeLength));
+  for (const RunStretch& at : run.simulation.crossings())
+    run.exceeded.push_back(whenText(run.simulation, at) +
+                           "the blade crosses itself, which no blade between two robots can");
   for (const Simulation::Snap& snap : run.simulation.snaps)
     run.exceeded.push_back("at " + shortText(snap.time, 4) +
                            " s the blade leaves its shape and snaps into another");

@@ -146,8 +146,19 @@ std::string Sentences::operator()(const UnknownInWeight& cause) const {
   return at() + "how the blade hangs in its own weight could not be found: " + cause.why;
 }
 
+/// Where a finding of stations is: at them, or on a way beside them.
+static std::string onTheWay(const Finding& finding, const std::string& atStations) {
+  const StationRange& range = *finding.where.stations;
+  if (range.count > 0) return atStations;
+  if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
+  if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
+  if (range.first == range.last) return "beside " + stationName(range.first) + " ";
+  return "on the way from " + stationName(range.first) + " to " + stationName(range.last) + " ";
+}
+
 std::string Sentences::operator()(const WouldTwist&) const {
-  return at() + "a round blade would twist out of its plane rather than rest in this shape; " +
+  return onTheWay(finding, at()) +
+         "a round blade would twist out of its plane rather than rest in this shape; " +
          shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
 }
 
@@ -211,11 +222,7 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
 /// none, where the cell holds it before the motion.
 static std::string lowAt(const Finding& finding, const std::string& atStations) {
   if (!finding.where.stations) return "at the cell's home, as the program begins, ";
-  const StationRange& range = *finding.where.stations;
-  if (range.count > 0) return atStations;
-  if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
-  if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
-  return "on the way from " + stationName(range.first) + " to " + stationName(range.last) + " ";
+  return onTheWay(finding, atStations);
 }
 
 std::string Sentences::operator()(const NearBottom& cause) const {
@@ -296,7 +303,7 @@ std::string Sentences::operator()(const Uncovered& cause) const {
 
 std::string Sentences::operator()(const BladeCrosses& cause) const {
   const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
-  return at() +
+  return onTheWay(finding, at()) +
          (cause.itself ? "the blade crosses itself"
                        : "the grips stand on each other's sides of the surface") +
          ", which no blade between two robots can; " +
@@ -393,7 +400,8 @@ std::string Sentences::operator()(const TooFarOnTheWay& cause) const {
 std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
   return at() + "on the way from there to the next station the blade is up to " + mm(cause.distance) +
          " from the surface shown (motion tolerance " + mm(cause.tolerance) +
-         "), and more targets bring it no nearer; " + moreStationsText(finding, "take more stations");
+         "), and the targets of the program bring it no nearer; " +
+         moreStationsText(finding, "take more stations");
 }
 
 std::string Sentences::operator()(const SkinOff& cause) const {

@@ -14,6 +14,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/text/number_text.h"
 #include "simulation/run_speeds.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 
@@ -47,6 +48,7 @@ class Runner {
     const Frame& f = motion.block.frame;
     weight_ = {weight.dot(f.x), weight.dot(f.y), weight.dot(f.normal)};
     stiffness_ = blade.flexuralRigidity();
+    round_ = blade.section != Blade::Section::flat;
   }
 
   Result<Simulation> run(const RunContext& context);
@@ -82,6 +84,7 @@ class Runner {
 
   const Motion& motion_;
   double length_, stiffness_ = 1;
+  bool round_ = false;
   Vector3d weight_;                 ///< in the block's frame
   std::optional<Vector3d> across_;  ///< the direction in the plane that the angles are told from
   Vector3d home_ = Vector3d::Zero();
@@ -237,7 +240,12 @@ Step<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool
   }
   SimulatedBlade now{time, instant, frame, *blade};
   now.atInstant = atInstant;
-  if (branch_) now.margin = marginsOf(*blade).inPlane;
+  if (branch_) {
+    const HeavyMargins margins = marginsOf(*blade);
+    now.margin = margins.inPlane;
+    if (round_) now.outOfPlaneMargin = margins.outOfPlane;
+    now.crossesItself = blade->selfIntersects();
+  }
   result_.marginMin = std::min(result_.marginMin, now.margin);
   const double curvature = blade->maxCurvature();
   if (curvature > 0 && (result_.minRadius == 0 || 1 / curvature < result_.minRadius))
@@ -313,6 +321,33 @@ SurfaceGrid Simulation::swept(int places) const {
     for (const Elastica::State& state : at.blade.sample(places))
       grid.points.push_back(at.frame.toWorld(state.point));
   return grid;
+}
+
+namespace {
+
+/// The stretches of moments of which `bad` holds; the worst is that of the largest `rank`.
+template <class Bad, class Rank>
+std::vector<RunStretch> stretches(const std::vector<SimulatedBlade>& blades, Bad bad, Rank rank) {
+  std::vector<RunStretch> found;
+  for (const sweep::Stretch& at : sweep::stretchesOf(
+           blades.size(), [&](std::size_t i) { return bad(blades[i]); },
+           [&](std::size_t a, std::size_t b) { return rank(blades[a]) > rank(blades[b]); }))
+    found.push_back({at.first, at.last, at.worst});
+  return found;
+}
+
+}  // namespace
+
+std::vector<RunStretch> Simulation::crossings() const {
+  return stretches(
+      blades, [](const SimulatedBlade& at) { return at.crossesItself; },
+      [](const SimulatedBlade& at) { return at.blade.maxCurvature(); });
+}
+
+std::vector<RunStretch> Simulation::twists() const {
+  return stretches(
+      blades, [](const SimulatedBlade& at) { return at.outOfPlaneMargin <= 0; },
+      [](const SimulatedBlade& at) { return -at.outOfPlaneMargin; });
 }
 
 Result<Simulation> simulate(const Motion& motion, const Blade& blade, const Vector3d& weight,

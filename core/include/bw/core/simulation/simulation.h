@@ -28,6 +28,8 @@ struct SimulatedBlade {
   HeavyBlade blade;
   double margin = 1;            ///< of stability
   bool atInstant = false;       ///< not between two
+  double outOfPlaneMargin = 1;  ///< of a round one against leaving its plane; 1 for a flat one
+  bool crossesItself = false;
 };
 
 /// Where a blade cannot go on as its ends are moved.
@@ -61,6 +63,12 @@ struct RunSpeeds {
   RunSpot minAt = {}, maxAt = {};
 };
 
+/// Moments of a run, one after the other, and the one among them where it is worst: places in
+/// `Simulation::blades`.
+struct RunStretch {
+  std::size_t first = 0, last = 0, worst = 0;
+};
+
 /// What a motion does to the blade, found from the poses of its ends alone.
 struct Simulation {
   std::vector<SimulatedBlade> blades;  ///< in the order of time
@@ -76,6 +84,11 @@ struct Simulation {
   double marginMin = 1;
   double minRadius = 0;                  ///< mm; 0 for a blade that stays straight
   std::optional<RunSpeeds> speeds = {};  ///< of the whole blade; none before it has moved
+
+  /// Where the blade crosses itself, and where a round one does not rest in its plane. All of it as one
+  /// stretch where they are many.
+  std::vector<RunStretch> crossings() const;
+  std::vector<RunStretch> twists() const;
 
   /// The surface that the whole blade sweeps: a row a moment, points at equal arc length, in the file's
   /// frame.

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/core/base/finding.h"
+#include "bw/core/simulation/simulation.h"
+#include "bw/core/sweep/row_motion.h"
+
+namespace bw {
+
+/// What the run of a row's motion tells of the blade between its stations, on the way in and on the way out:
+/// where it crosses itself, where a round one does not rest in its plane, and where what is cut lies farther
+/// off than `request` allows. What `known` tells already, of stations beside or of the way between them, is
+/// not told again. The range of a finding has the stations beside, −1 for none, and counts 0 of them; that of
+/// `OffTheSurfaceShown` the station before.
+[[nodiscard]] Findings runFindings(const Simulation& simulation, const SimulatedSurface& surface,
+                                   const Motion& motion, const SweepAnalysis& analysis,
+                                   const WayRequest& request, const Findings& known);
+
+}  // namespace bw

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/simulation/run_findings.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "sweep/sweep_findings.h"
+
+namespace bw {
+
+namespace {
+
+using Instants = std::vector<MotionInstant>;
+
+/// The last station at or before an instant of a motion; −1 if there is none.
+int stationUpTo(const Instants& instants, std::size_t instant) {
+  for (std::size_t i = std::min(instant, instants.size() - 1) + 1; i-- > 0;)
+    if (instants[i].station >= 0) return instants[i].station;
+  return -1;
+}
+
+/// The first one from an instant on; −1 if there is none.
+int stationFrom(const Instants& instants, std::size_t instant) {
+  for (std::size_t i = instant; i < instants.size(); ++i)
+    if (instants[i].station >= 0) return instants[i].station;
+  return -1;
+}
+
+StationRange besideOf(const Simulation& simulation, const Instants& instants, const RunStretch& at) {
+  const SimulatedBlade &first = simulation.blades[at.first], &last = simulation.blades[at.last];
+  const int before = stationUpTo(instants, first.instant),
+            after = stationFrom(instants, last.atInstant ? last.instant : last.instant + 1);
+  return {before, after, before < 0 ? after : before, 0};
+}
+
+Eigen::Vector3d middleOf(const SimulatedBlade& at) {
+  return at.frame.toWorld(at.blade.at(0.5 * at.blade.length()).point);
+}
+
+template <class Cause>
+bool isOf(const Finding& finding) {
+  return std::holds_alternative<Cause>(finding.cause);
+}
+
+/// True if a finding of that cause is of a station in a range, which has −1 for an open end.
+template <class Cause>
+bool toldAt(const Findings& known, const StationRange& range) {
+  return std::ranges::any_of(known, [&](const Finding& finding) {
+    const std::optional<StationRange>& own = finding.where.stations;
+    return isOf<Cause>(finding) && own && (range.last < 0 || own->first <= range.last) &&
+           (range.first < 0 || own->last >= range.first);
+  });
+}
+
+template <class Cause>
+bool told(const Findings& known) {
+  return std::ranges::any_of(known, isOf<Cause>);
+}
+
+}  // namespace
+
+Findings runFindings(const Simulation& simulation, const SimulatedSurface& surface, const Motion& motion,
+                     const SweepAnalysis& analysis, const WayRequest& request, const Findings& known) {
+  Findings findings;
+  const auto tell = [&](const std::vector<RunStretch>& stretches, auto cause, const Remedies& remedies) {
+    for (const RunStretch& at : stretches) {
+      const StationRange beside = besideOf(simulation, motion.instants, at);
+      if (!toldAt<decltype(cause)>(known, beside))
+        findings.push_back(
+            {Severity::error, cause, {beside, middleOf(simulation.blades[at.worst])}, remedies});
+    }
+  };
+  tell(simulation.crossings(), BladeCrosses{true}, {CutInParts{}});
+  tell(simulation.twists(), WouldTwist{}, {});
+  const double allowed = request.motionTolerance + simulation.straightWithin;
+  if (surface.toDesignMax > allowed && !told<OffTheSurfaceShown>(known)) {
+    const int before = stationUpTo(motion.instants, surface.toDesignAt.instant);
+    findings.push_back({Severity::warning,
+                        OffTheSurfaceShown{surface.toDesignMax, request.motionTolerance},
+                        {StationRange::of(std::max(before, 0)), surface.toDesignAt.place},
+                        {}});
+  }
+  if (surface.toTargetMax > request.tolerance && analysis.summary.deviationMax <= request.tolerance &&
+      !told<TooFarOnTheWay>(known))
+    findings.push_back({Severity::warning,
+                        TooFarOnTheWay{surface.toTargetMax, request.tolerance},
+                        {{}, surface.toTargetAt.place},
+                        {}});
+  return findings;
+}
+
+}  // namespace bw
