@@ -65,12 +65,16 @@ void tellSummary(const pipeline::Evaluation& e) {
   const SweepSummary& s = all.summary;
   std::cerr << (e.blocks.size() > 1 ? std::to_string(e.blocks.size()) + " blocks, " : "") << all.stations
             << " stations; deviation max " << shortText(s.deviationMax) << " mm (between stations "
-            << (all.betweenMax ? shortText(*all.betweenMax) + " mm" : "not known") << "), mean "
+            << (all.programMax ? shortText(*all.programMax) + " mm" : "not known") << "), mean "
             << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance, "
             << shareText(all.covered) << " of the surface covered (farthest beyond the cut "
             << shortText(all.uncovered) << " mm); ";
   if (all.fromShown)
-    std::cerr << "the motion within " << shortText(*all.fromShown) << " mm of this surface; ";
+    std::cerr << (e.blocks.size() > 1 || e.blocks.front().cuts.size() > 1 ? "the programs cut within "
+                                                                          : "the program cuts within ")
+              << shortText(*all.fromShown) << " mm of this surface; ";
+  else
+    std::cerr << "how near to this surface the program cuts is not known; ";
   if (e.joints.value && !e.joints.value->joints.empty())
     std::cerr << "joints: gap max " << shortText(e.joints.value->gapMax()) << " mm, kink max "
               << fixedText(toDegrees(e.joints.value->kinkMax()), 2) << "°; ";

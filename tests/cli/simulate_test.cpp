@@ -107,6 +107,36 @@ TEST(Simulate, DrawsWhatTheProgramCuts) {
   EXPECT_FALSE(std::filesystem::exists(folder / "own/cut-from-shown.png"));
 }
 
+TEST(Simulate, RationalizeTellsWhatItTells) {
+  const Folder folder;
+  for (const auto& [name, job] :
+       {std::pair("panel-600x670",
+                  R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": 710}})"),
+        {"saddle", "{}"},
+        {"sphere-cap", R"({"stations": 30})"},
+        {"torus-patch", R"({"stations": 12})"}}) {
+    const std::string out = folder / name;
+    const Finished made =
+        blade({"rationalize", example(name), "--job", folder.write("job.json", job), "--out", out});
+    const json summary = json::parse(slurp(out + "/report.json"))["summary"];
+    const json surface = json::parse(blade({"simulate", out}).out)["surface"];
+    // What is written is rounded.
+    constexpr double kRounded = 2e-3;
+    for (const auto& [own, theirs] : {std::pair("program_from_shown_max_mm", "deviation_to_design_max_mm"),
+                                      {"program_deviation_max_mm", "deviation_to_target_max_mm"},
+                                      {"program_deviation_mean_mm", "deviation_to_target_mean_mm"}})
+      EXPECT_NEAR(summary[own].get<double>(), surface[theirs].get<double>(), kRounded) << name << " " << own;
+    const std::string words = "the program cuts within ";
+    const std::size_t at = made.err.find(words);
+    ASSERT_NE(at, std::string::npos) << made.err;
+    EXPECT_NE(made.err.find(" mm of this surface; ", at), std::string::npos) << made.err;
+    EXPECT_NEAR(std::stod(made.err.substr(at + words.size())),
+                surface["deviation_to_design_max_mm"].get<double>(),
+                kRounded + 0.005 * surface["deviation_to_design_max_mm"].get<double>())
+        << name;
+  }
+}
+
 TEST(Simulate, AChangedTargetBreaksALimit) {
   const Folder folder;
   rationalizeTo(folder);

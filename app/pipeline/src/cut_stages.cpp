@@ -12,6 +12,8 @@
 #include "advice.h"
 #include "bw/core/parts/cut_order.h"
 #include "bw/core/shape/moved_sections.h"
+#include "bw/core/simulation/run_findings.h"
+#include "bw/core/simulation/run_kerf.h"
 #include "bw/core/sweep/firm_row.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
@@ -599,6 +601,44 @@ Result<void> checkRow(const CutWork& work) {
 
 }  // namespace
 
+Result<void> runMotion(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const FitRequest& fit = e.sweep.value->request;
+  return work.settle(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value}, seconds,
+                     [&](const NoRequest&, Findings&) {
+                       return simulate(*e.motion.value, fit.blade, fit.weight, work.context);
+                     });
+}
+
+Result<SimulatedSurface> cutBy(const Simulation& run, const CutEvaluation& e, const RunContext& context,
+                               std::shared_ptr<const KerfField>* melted, SurfaceGrid* cut) {
+  const SurfaceGrid& shown = e.analysis.value->swept();
+  std::unique_ptr<SurfaceSampler> middle = e.middleSampler();
+  if (const Kerf& kerf = e.middle.request; !kerf.table.empty()) {
+    std::optional<KerfField> field = kerfOf(run, shown, e.setup->planes, kerf.table);
+    // A run that does not come over the surface melts nothing that is compared.
+    if (!field) field = KerfField::of(*e.sweep.value, *e.check.value, kerf.table);
+    const auto own = std::make_shared<const KerfField>(std::move(*field));
+    middle = middleSampler(*e.target.value, *e.middle.value, kerf, own);
+    if (melted) *melted = own;
+  }
+  return bw::compare(run, shown, e.setup->planes, *middle, context, cut);
+}
+
+Result<void> seeTheRun(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value},
+                     seconds, [&](const WayRequest& request, Findings& findings) {
+                       Result<SimulatedSurface> cut = cutBy(*e.run.value, e, work.context);
+                       Findings known = e.analysis.findings;
+                       append(known, e.between.findings);
+                       if (cut)
+                         findings = runFindings(*e.run.value, *cut, *e.motion.value, *e.analysis.value,
+                                                request, known);
+                       return cut;
+                     });
+}
+
 Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
   Result<void> ok = checkRow(work);
@@ -620,6 +660,8 @@ Result<void> check(const CutWork& work) {
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
   if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
   if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
+  if (ok && e.run.value)
+    work.keep(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value});
   if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
   return ok;
 }

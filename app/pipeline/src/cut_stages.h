@@ -71,6 +71,16 @@ Result<void> check(const CutWork& work);
 
 // What takes longer than a picture may wait for.
 
+/// The motion of the row, run.
+Result<void> runMotion(const CutWork& work, double& seconds);
+/// What that run cuts, and what it tells of the blade between its stations.
+Result<void> seeTheRun(const CutWork& work, double& seconds);
+/// What a run cuts of the surface of a cut. `melted` gets the kerf at the speeds of the run, where it is told
+/// over speed; `cut` is that of `bw::compare`.
+Result<SimulatedSurface> cutBy(const Simulation& run, const CutEvaluation& e, const RunContext& context,
+                               std::shared_ptr<const KerfField>* melted = nullptr,
+                               SurfaceGrid* cut = nullptr);
+
 /// The lengths of blade that serve.
 Result<void> seekLengths(const CutWork& work, double& seconds);
 /// What grips that come nearer to the block make of the row.

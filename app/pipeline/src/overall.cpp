@@ -13,8 +13,8 @@ namespace bw::pipeline {
 Overall overallOf(const Evaluation& e) {
   Overall all;
   const std::vector<Strip> strips = stripsOf(e);
-  double area = 0, uncovered = 0, between = 0;
-  bool known = true;
+  double area = 0, uncovered = 0, programs = 0;
+  bool known = true, followed = true;
   SweepSummary& s = all.summary;
   const bool one = strips.size() == 1;
   for (const Strip& strip : strips) {
@@ -24,12 +24,18 @@ Overall overallOf(const Evaluation& e) {
     all.stations += result.size();
     all.cuttingTime += result.motion.cuttingTime();
     all.uncovered = std::max(all.uncovered, result.coverage.distance);
-    known = known && !result.way.instants.empty();
+    followed = followed && !result.way.instants.empty();
     all.betweenMax = std::max(all.betweenMax.value_or(0), result.between.deviationMax);
-    all.fromShown = std::max(all.fromShown.value_or(0), result.between.fromShown);
+    if (const SimulatedSurface* cut = strip.cut->programCut()) {
+      all.programMax = std::max(all.programMax.value_or(0), cut->toTargetMax);
+      all.fromShown = std::max(all.fromShown.value_or(0), cut->toDesignMax);
+      programs += weight * cut->toTargetMean;
+      if (one) all.programMean = cut->toTargetMean;
+    } else {
+      known = false;
+    }
     if (one) {
       s = own;
-      all.betweenMean = result.between.deviationMean;
       all.covered = result.coverage.share();
       break;
     }
@@ -48,11 +54,11 @@ Overall overallOf(const Evaluation& e) {
     s.deviationRms += weight * own.deviationRms * own.deviationRms;
     s.withinTolerance += weight * own.withinTolerance;
     s.angleMean += weight * own.angleMean;
-    between += weight * result.between.deviationMean;
     uncovered += result.coverage.uncovered;
     area += weight;
   }
-  if (!known) all.betweenMax = all.betweenMean = all.fromShown = std::nullopt;
+  if (!followed) all.betweenMax = std::nullopt;
+  if (!known) all.programMax = all.programMean = all.fromShown = std::nullopt;
   if (one || !(area > 0)) return all;
   s.R4Mean /= double(all.stations);
   s.hausdorffMean /= double(all.stations);
@@ -60,7 +66,7 @@ Overall overallOf(const Evaluation& e) {
   s.deviationRms = std::sqrt(s.deviationRms / area);
   s.withinTolerance /= area;
   s.angleMean /= area;
-  if (known) all.betweenMean = between / area;
+  if (known) all.programMean = programs / area;
   all.covered = 1 - uncovered / area;
   return all;
 }

@@ -305,6 +305,20 @@ Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation
   }
 }
 
+/// Runs the motions of all cuts, side by side.
+Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunContext& context) {
+  std::vector<double> seconds(works.size(), 0);
+  std::vector<Result<void>> done(works.size());
+  Result<void> ok = parallelFor(context, int(works.size()), [&](int i) {
+    done[std::size_t(i)] = runMotion(works[std::size_t(i)], seconds[std::size_t(i)]);
+    if (done[std::size_t(i)])
+      done[std::size_t(i)] = seeTheRun(works[std::size_t(i)], seconds[std::size_t(i)]);
+  });
+  for (std::size_t i = 0; ok && i < works.size(); ++i) ok = inBlock(e, works[i].cut.block, done[i]);
+  e.seconds.check += std::ranges::max(seconds);
+  return ok;
+}
+
 template <class Request, class T>
 void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
   if (!stage.value) stage = from;
@@ -329,13 +343,18 @@ std::optional<CutResult> CutEvaluation::result() const {
                    *between.value, *certainty.value, *rest.value,     *ends.value,     *motion.value};
 }
 
+const SimulatedSurface* CutEvaluation::programCut() const {
+  const bool whole = run.value && !run.value->halt && simulated.value && simulated.value->covered > 0;
+  return whole ? simulated.value.get() : nullptr;
+}
+
 Findings CutEvaluation::findings() const {
   Findings all;
   for (const Findings* list :
        {&target.findings, &placed.findings, &directions.findings,
         confirmed.value ? &confirmed.findings : &sections.findings, &middle.findings, &sweep.findings,
         &check.findings, &motion.findings, &analysis.findings, &way.findings, &between.findings,
-        &coverage.findings, &ends.findings, &rest.findings})
+        &coverage.findings, &ends.findings, &rest.findings, &simulated.findings})
     append(all, *list);
   return all;
 }
@@ -432,6 +451,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.margins, from->margins);
       takeMissing(cut.clearances, from->clearances);
       takeMissing(cut.run, from->run);
+      takeMissing(cut.simulated, from->simulated);
       takeMissing(cut.barriers, from->barriers);
       takeMissing(cut.swept, from->swept);
     }
@@ -481,8 +501,10 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   // Rows may have become firmer ones.
   if (ok = joinAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   if (ok = compareBlocks(e, previous, context); !ok) return stop(ok.error());
-  if (purpose == Purpose::files)
+  if (purpose == Purpose::files) {
     if (ok = makeParts(e, previous, context); !ok) return stop(ok.error());
+    if (ok = runAll(works, e, context); !ok) return stop(ok.error());
+  }
   if (design.blade.autoLength) e.design.blade.length = e.cut().sweep.value->request.blade.length;
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
@@ -522,12 +544,11 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
       work.joined = fit.fitEndpoints && fit.fitTangents;
       // A motion that cannot be run is so once and for all.
       if (!stages.run.value && stages.run.inputs.empty()) {
-        const Result<void> ran =
-            work.settle(&CutEvaluation::run, {}, {stages.motion.value, stages.sweep.value}, none,
-                        [&](const NoRequest&, Findings&) {
-                          return simulate(*stages.motion.value, fit.blade, fit.weight, context);
-                        });
-        if (ran) return true;
+        if (runMotion(work, none)) return true;
+        if (context.stopped()) return false;
+      }
+      if (stages.run.value && !stages.simulated.value && stages.simulated.inputs.empty()) {
+        if (seeTheRun(work, none)) return true;
         if (context.stopped()) return false;
       }
       if (stages.run.value && !stages.barriers.value) {

@@ -179,8 +179,8 @@ ordered_json jointsJson(const Evaluation& e) {
 ordered_json summaryJson(const Evaluation& e) {
   const Overall all = overallOf(e);
   const SweepSummary& s = all.summary;
-  // Where no blade could be followed, nothing is known of it.
-  const auto onTheWay = [](const std::optional<double>& value) {
+  // Where no blade runs to the end of a program, nothing is known of what that cuts.
+  const auto ofPrograms = [](const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
   };
   // A blade that is straight everywhere has no radius.
@@ -193,9 +193,9 @@ ordered_json summaryJson(const Evaluation& e) {
                           {"deviation_mean_mm", s.deviationMean},
                           {"deviation_rms_mm", s.deviationRms},
                           {"within_tolerance_percent", 100 * s.withinTolerance},
-                          {"program_deviation_max_mm", onTheWay(all.betweenMax)},
-                          {"program_deviation_mean_mm", onTheWay(all.betweenMean)},
-                          {"program_from_shown_max_mm", onTheWay(all.fromShown)},
+                          {"program_deviation_max_mm", ofPrograms(all.programMax)},
+                          {"program_deviation_mean_mm", ofPrograms(all.programMean)},
+                          {"program_from_shown_max_mm", ofPrograms(all.fromShown)},
                           {"covered_percent", 100 * all.covered},
                           {"uncovered_max_mm", all.uncovered},
                           {"angle_max_deg", toDegrees(s.angleMax)},

@@ -80,9 +80,12 @@ void limits(Page& page, const Evaluation& e) {
   page.begin({"Number", "Measured", "Limit", ""});
   page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
                s.deviationMax <= design.process.tolerance);
-  page.checked("Largest deviation between stations, as the robots move the blade",
-               mm(all.betweenMax.value_or(0)), "at most " + mm(design.process.tolerance),
-               all.betweenMax.value_or(0) <= design.process.tolerance);
+  const auto ofPrograms = [&](const char* what, const std::optional<double>& value, double limit) {
+    page.checked(what, value ? mm(*value) : "not known", "at most " + mm(limit), value && *value <= limit);
+  };
+  ofPrograms("Largest deviation of what the program cuts", all.programMax, design.process.tolerance);
+  ofPrograms("Largest distance of that from the surface shown", all.fromShown,
+             design.process.motionTolerance);
   page.checked("Farthest that the target reaches beyond the cut surface", mm(all.uncovered),
                "at most " + mm(uncoveredLimit), all.uncovered <= uncoveredLimit);
   if (e.joints.value && !e.joints.value->joints.empty()) {

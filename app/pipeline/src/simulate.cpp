@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "bw/core/base/units.h"
-#include "bw/core/simulation/run_kerf.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
@@ -255,17 +254,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   run.simulation = std::move(*simulation);
   if (design) {
-    const SurfaceGrid& shown = cut->analysis.value->swept();
-    std::unique_ptr<SurfaceSampler> middle = cut->middleSampler();
-    if (!run.kerf.table.empty()) {
-      std::optional<KerfField> melted = kerfOf(run.simulation, shown, cut->setup->planes, run.kerf.table);
-      // A run that does not come over the surface melts nothing that is compared.
-      if (!melted) melted = KerfField::of(*cut->sweep.value, *cut->check.value, run.kerf.table);
-      run.melted = std::make_shared<const KerfField>(std::move(*melted));
-      middle = middleSampler(*cut->target.value, *cut->middle.value, run.kerf, run.melted);
-    }
     const Result<SimulatedSurface> surface =
-        compare(run.simulation, shown, cut->setup->planes, *middle, context, &run.compared.cut);
+        cutBy(run.simulation, *cut, context, &run.melted, &run.compared.cut);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
     run.compared.target = cut->targetMesh.value;

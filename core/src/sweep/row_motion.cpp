@@ -299,8 +299,6 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
   const sweep::SurfaceRows shown(analysis.swept(), row.planes);
   std::vector<double> off(row.poses.size(), 0);
-  double sum = 0;
-  std::size_t count = 0;
   std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
   for (const RowMotion::Instant& instant : motion.instants) {
     if (context.stopped()) return stoppedError();
@@ -310,8 +308,6 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       if (!foot) return tl::unexpected<Error>(foot.error());
       feet[c] = *foot;
       const double away = std::abs(sampler->offset(place, *foot));
-      sum += away;
-      ++count;
       if (away > way.deviationMax) {
         way.deviationMax = away;
         way.worst = place;
@@ -319,7 +315,6 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       off[instant.station] = std::max(off[instant.station], shown.look(place).distance);
     }
   }
-  if (count > 0) way.deviationMean = sum / double(count);
   way.fromShown = std::ranges::max(off);
   for (const sweep::Stretch& at : sweep::stretchesOf(
            off.size(), [&](std::size_t i) { return off[i] > request.motionTolerance; },

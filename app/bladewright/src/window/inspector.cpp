@@ -109,6 +109,11 @@ void Inspector::addOfResult(FormColumn* column, const QString& name, const QStri
       });
 }
 
+const SimulatedSurface* Inspector::programCut() const {
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  return cut ? cut->programCut() : nullptr;
+}
+
 const pipeline::BlockEvaluation* Inspector::block() const {
   const auto shown = bench_.shown();
   if (!shown) return nullptr;
@@ -138,9 +143,18 @@ void Inspector::makeResult() {
   addOfResult(
       column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
       [](const CutResult& result) { return lengthText(result.between.deviationMax); }, &SweepLimits::between);
-  addOfResult(column, tr("Off the surface shown"),
-              tr("Of the blade from the cut surface shown, as the robots move it"),
-              [](const CutResult& result) { return lengthText(result.between.fromShown); });
+  addValue(
+      column, tr("Program cuts within"),
+      tr("How far what the whole program cuts, its corners and its ways in and out included, lies from the "
+         "cut surface shown: what blade simulate tells of it. Known once the hand has rested"),
+      [this] {
+        const SimulatedSurface* own = programCut();
+        return own ? lengthText(own->toDesignMax) : QString();
+      },
+      [this] {
+        const SimulatedSurface* own = programCut();
+        return own && own->toDesignMax > bench_.shown()->design.process.motionTolerance;
+      });
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,

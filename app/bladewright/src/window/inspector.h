@@ -49,6 +49,8 @@ class Inspector : public SidePanel {
   void makeBlade();
   void makeStation();
   void refresh();
+  /// What the program of the cut selected cuts; null if that is not known.
+  const SimulatedSurface* programCut() const;
   /// The block selected, of the result on the screen; null if there is none.
   const pipeline::BlockEvaluation* block() const;
   std::optional<pipeline::StationView> station() const;

@@ -12,7 +12,11 @@ namespace bw::pipeline {
 /// Numbers over all strips: the worst of each, and means over the surfaces by the area of their targets.
 struct Overall {
   SweepSummary summary;
-  std::optional<double> betweenMax = std::nullopt, betweenMean = std::nullopt, fromShown = std::nullopt;
+  /// mm, of the blades between the stations from the target; empty where one could not be followed.
+  std::optional<double> betweenMax = std::nullopt;
+  /// mm, of what the programs cut: from the target, its mean, and from the surface shown; empty where one
+  /// does not run to its end, or was not run.
+  std::optional<double> programMax = std::nullopt, programMean = std::nullopt, fromShown = std::nullopt;
   double covered = 1, uncovered = 0;  ///< share; mm
   double cuttingTime = 0;             ///< s
   std::size_t stations = 0;

@@ -132,11 +132,15 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;         ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;               ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
-  Stage<Kerf, SweptSurface> swept;                      ///< only where its block has several cuts
-  Stage<NoRequest, Simulation> run;                     ///< the motion run; only from `addSecondThought`
-  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
+  Stage<Kerf, SweptSurface> swept;                ///< only where its block has several cuts
+  Stage<NoRequest, Simulation> run;               ///< the motion run; for files, and from `addSecondThought`
+  Stage<WayRequest, SimulatedSurface> simulated;  ///< what that cuts; likewise
+  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; only from `addSecondThought`
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
+  /// What its program cuts, which is that of `blade simulate`; null until it is known, and where no blade
+  /// runs through to the end.
+  const SimulatedSurface* programCut() const;
   /// What the middle of the blade is held against; the target and its sections are there.
   std::unique_ptr<SurfaceSampler> middleSampler() const;
   Findings findings() const;  ///< of all stages in order
@@ -224,8 +228,9 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, the barriers along it, then what is left of its block, the lengths of blade that would serve, the
-/// clearances where none does, and the margins. False if nothing is left to be added, or it was stopped.
+/// run, what it cuts, the barriers along it, then what is left of its block, the lengths of blade that would
+/// serve, the clearances where none does, and the margins. False if nothing is left to be added, or it was
+/// stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds what is left of blocks with several cuts, where it is not there yet. Error: `cancelled`.

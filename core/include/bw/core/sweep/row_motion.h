@@ -63,7 +63,7 @@ struct WayRequest {
 
 /// How far the blade lies off between its stations.
 struct WayDeviation {
-  double deviationMax = 0, deviationMean = 0;  ///< mm, |distance| of the real blade from the target
+  double deviationMax = 0;  ///< mm, |distance| of the real blade from the target
   Eigen::Vector3d worst = Eigen::Vector3d::Zero();
   double fromShown = 0;  ///< mm, the farthest that it lies from the surface shown, in its own plane
   Findings findings = {};
