@@ -224,6 +224,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   style.dark = options.dark;
   style.isolines = options.isolines;
   style.tolerance = design->process.tolerance;
+  style.marker = pipeline::uncoveredMark(product.evaluation);
   style.playhead = 0.5 * double(product.evaluation.cut().sweep.value->poses.size() - 1);
   scene.setStyle(style);
   scene.setCamera(

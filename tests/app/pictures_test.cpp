@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -12,6 +15,34 @@
 
 namespace bw::pipeline {
 namespace {
+
+/// An evaluation of so many cuts, of which this is known.
+Evaluation covered(std::initializer_list<Coverage> cuts) {
+  Evaluation evaluation;
+  evaluation.blocks.front().cuts.clear();
+  for (const Coverage& coverage : cuts)
+    evaluation.blocks.front().cuts.emplace_back().coverage.value = std::make_shared<const Coverage>(coverage);
+  return evaluation;
+}
+
+Coverage reaching(double distance, const Eigen::Vector3d& point) {
+  Coverage coverage;
+  coverage.distance = distance;
+  coverage.limit = 2;
+  coverage.point = point;
+  return coverage;
+}
+
+TEST(UncoveredMark, StandsAtTheWorstPlaceThatIsTooFar) {
+  EXPECT_FALSE(uncoveredMark(Evaluation()));
+  EXPECT_FALSE(uncoveredMark(covered({reaching(1.9, {1, 2, 3})}))) << "the tolerance lets it";
+  const std::optional<scene::Marker> mark =
+      uncoveredMark(covered({reaching(3, {1, 2, 3}), reaching(108.4, {4, 5, 6}), reaching(50, {7, 8, 9})}));
+  ASSERT_TRUE(mark);
+  EXPECT_EQ(mark->point, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(mark->severity, Severity::error);
+  EXPECT_EQ(mark->text, "Not cut: the surface reaches 108 mm beyond the cut here");
+}
 
 /// A run that is compared with a flat surface, of which it lies a tenth of a millimetre off.
 ProgramRun flatRun() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bw/core/parts/crease.h"
+#include "bw/core/text/number_text.h"
 #include "crossings.h"
 
 namespace bw::pipeline {
@@ -189,6 +190,19 @@ scene::Content sceneContent(const Evaluation& evaluation) {
   return content;
 }
 
+std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation) {
+  const Coverage* worst = nullptr;
+  for (const BlockEvaluation& block : evaluation.blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (const Coverage* own = cut.coverage.value.get();
+          own && own->distance > own->limit && (!worst || own->distance > worst->distance))
+        worst = own;
+  if (!worst) return {};
+  return scene::Marker{
+      worst->point, "Not cut: the surface reaches " + shortText(worst->distance) + " mm beyond the cut here",
+      Severity::error};
+}
+
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context) {
   scene::Scene scene;
   scene.setContent(sceneContent(evaluation));
@@ -199,6 +213,7 @@ Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, 
     scene::Style style;
     style[scene::Kind::cut].map = wanted.field;
     style.tolerance = evaluation.design.process.tolerance;
+    style.marker = uncoveredMark(evaluation);
     scene.setStyle(style);
     const scene::View view = wanted.above ? scene::View::top : scene::View::iso;
     scene.setCamera(scene.fitFrom(scene::directionOf(view), wanted.above, double(kWidth) / kHeight));

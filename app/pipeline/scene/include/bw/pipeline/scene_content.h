@@ -15,6 +15,9 @@ namespace bw::pipeline {
 /// What a picture of an evaluation shows; stages that are missing are left out, but
 /// for a block that could not be used: it is shown where the job puts it.
 scene::Content sceneContent(const Evaluation& evaluation);
+/// Marks the place where a surface reaches farthest beyond its cut, where that is more than it may be; empty
+/// if all is cut.
+std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation);
 /// The pictures of a report on an evaluation (`kReportPictures`), drawn without a window. Errors: those of
 /// `scene::Scene::render`; `cancelled`.
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context);
