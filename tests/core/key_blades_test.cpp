@@ -11,6 +11,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/shape/designed_surface.h"
+#include "sweep/station_velocity.h"
 
 namespace bw {
 
@@ -112,6 +113,69 @@ TEST(KeyBlades, TheVelocityIsAnalytic) {
       const Eigen::Vector2d numeric = (at(y + h) - at(y - h)) / (2 * h);
       EXPECT_LT((velocities[i] - numeric).norm(), 1e-7) << y << " " << shares[i];
     }
+  }
+}
+
+TEST(KeyBlades, TheSpeedsOfACutAreThoseOfTheAnalyticVelocity) {
+  // The blades that cut are those told, and their material points go on as the arc from the middle says: at a
+  // share of the length that is the velocity without what the length grows by along the tangent.
+  const BladeSweep sweep = BladeSweep::through(fan()).value();
+  constexpr int kPoints = 21;
+  constexpr double kFast = 20;
+  std::vector<double> shares;
+  for (int k = 0; k < kPoints; ++k) shares.push_back(double(k) / (kPoints - 1));
+  struct Off {
+    double angle = 0, relative = 0, speed = 0;
+  };
+  const auto errorsOf = [&](int stations) {
+    std::vector<BladePose> poses;
+    std::vector<double> travel;
+    for (int i = 0; i < stations; ++i) {
+      BladePose pose;
+      pose.index = i;
+      pose.travel = 800.0 * i / (stations - 1);
+      // The plane (x, z) of the blades; its normal looks back along the travel.
+      pose.frame = {
+          {0, pose.travel, 0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY()};
+      pose.cut = pose.blade = elasticaOf(sweep.at(pose.travel)).value();
+      poses.push_back(pose);
+      travel.push_back(pose.travel);
+    }
+    Off worst;
+    for (int i = 0; i < stations; ++i) {
+      const StationVelocity seen = sweep::stationVelocity(poses, travel, std::size_t(i), kPoints, kFast);
+      const KeyBlade blade = sweep.at(travel[std::size_t(i)]), change = sweep.changeAt(blade.y);
+      const std::vector<Eigen::Vector2d> moved = bladeVelocities(blade, change, shares).value();
+      const Elastica curve = elasticaOf(blade).value();
+      std::vector<double> speeds;
+      double fastest = 0;
+      for (int k = 0; k < kPoints; ++k) {
+        const double share = shares[std::size_t(k)], tangent = curve.at(share * blade.length).angle;
+        const Eigen::Vector2d inPlane =
+            moved[std::size_t(k)] -
+            (share - 0.5) * change.length * Eigen::Vector2d(std::cos(tangent), std::sin(tangent));
+        speeds.push_back(std::hypot(1, inPlane.norm()));
+        fastest = std::max(fastest, speeds.back());
+        worst.angle =
+            std::max(worst.angle, std::abs(kPi - seen.angle[std::size_t(k)] - std::atan(inPlane.norm())));
+      }
+      for (int k = 0; k < kPoints; ++k) {
+        const auto at = std::size_t(k);
+        worst.relative = std::max(worst.relative, std::abs(seen.relative[at] - speeds[at] / fastest));
+        worst.speed = std::max(worst.speed, std::abs(seen.speed[at] - kFast * speeds[at] / fastest));
+      }
+    }
+    return worst;
+  };
+  const Off coarse = errorsOf(17), usual = errorsOf(33), fine = errorsOf(65);
+  // With the stations that designs begin with: 0.2°, and a quarter of a per cent of the speed.
+  EXPECT_LT(usual.angle, fromDegrees(0.2));
+  EXPECT_LT(usual.relative, 2.5e-3);
+  EXPECT_LT(usual.speed, 2.5e-3 * kFast);
+  // Parabolas through three stations: the error falls with the square of their distance.
+  for (const auto& [wide, narrow] : {std::pair(coarse, usual), std::pair(usual, fine)}) {
+    EXPECT_NEAR(std::log2(wide.angle / narrow.angle), 2, 0.3);
+    EXPECT_NEAR(std::log2(wide.relative / narrow.relative), 2, 0.4);
   }
 }
 
