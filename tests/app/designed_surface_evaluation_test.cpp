@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "bw/core/design/design_versions.h"
 #include "bw/model/document.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/lower_block.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/pipeline/simulate.h"
@@ -73,13 +75,55 @@ TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   EXPECT_FALSE(exceedsLimit(evaluated(design).findings()));
   // A block that reaches as much lower as the message tells keeps it.
   design.process.floor = lowest + 1;
-  Design deeper = design;
-  deeper.block().placement->origin.z() -= 1;
-  deeper.block().placement->size.z() += 1;
-  EXPECT_FALSE(exceedsLimit(evaluated(deeper).findings()));
+  const auto low = std::ranges::find(told, FindingKind::floor, &Finding::kind);
+  const NearBottom cause = std::get<NearBottom>(low->cause);
+  EXPECT_EQ(cause.lower, NearBottom::Lower::keeps);
+  EXPECT_EQ(cause.lowerBy, 1);
+  EXPECT_FALSE(exceedsLimit(evaluated(*withLowerBlock(design, design.cut().id, cause.lowerBy)).findings()));
+  // There is none where another block lies.
+  Design walled = design;
+  walled.stock.push_back({"below", BlockPlacement{{0, 0, -400}, {600, 800, 400}}});
+  Findings again = {*low};
+  adviseLowerBlock(again, evaluated(design).cut(), walled);
+  EXPECT_EQ(std::get<NearBottom>(again[0].cause).lower, NearBottom::Lower::noRoom);
   // One that is made around the surface is as low as that asks for.
   design.block().placement.reset();
   for (const Finding& finding : evaluated(design).findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
+}
+
+TEST(DesignedSurface, ALowerBlockIsAdvisedOnlyWhereItHelps) {
+  // Ways in and out, too, whose blade comes below the floor where it is an arc: all that is advised keeps it.
+  Design design = exampleDesign("ripple-along").value();
+  design.output.programs.clear();
+  const auto over = [&](const std::string& formula) {
+    design.sources[0].surface = DesignedSurface{FormulaSurface{{{0, 0}, {600, 800}}, formula}};
+    return evaluated(design);
+  };
+  const auto lows = [](const Evaluation& e) {
+    std::vector<NearBottom> all;
+    for (const Finding& finding : e.findings())
+      if (const auto* low = std::get_if<NearBottom>(&finding.cause)) all.push_back(*low);
+    return all;
+  };
+  const Evaluation shallow = over("9+6*sin(pi*x/600)+0*y");
+  const std::vector<NearBottom> helped = lows(shallow);
+  ASSERT_FALSE(helped.empty());
+  double most = 0;
+  for (const NearBottom& low : helped) {
+    EXPECT_EQ(low.lower, NearBottom::Lower::keeps);
+    most = std::max(most, low.lowerBy);
+  }
+  EXPECT_TRUE(lows(evaluated(*withLowerBlock(design, design.cut().id, most))).empty());
+  // One that falls through the bottom is cut lower by a lower block, too: none is advised, and none helps.
+  const Evaluation deep = over("60+6*sin(pi*x/600)-0.2*y");
+  const std::vector<NearBottom> lost = lows(deep);
+  ASSERT_FALSE(lost.empty());
+  most = 0;
+  for (const NearBottom& low : lost) {
+    EXPECT_EQ(low.lower, NearBottom::Lower::alsoCut);
+    most = std::max(most, std::ceil(low.floor - low.height));
+  }
+  EXPECT_FALSE(lows(evaluated(*withLowerBlock(design, design.cut().id, most))).empty());
 }
 
 /// A surface so low over the bottom of its block that the grips of a slack arc would lie below it.

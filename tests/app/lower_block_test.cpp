@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // A block that reaches lower, so that the blade keeps the floor: what it comes to, and its button.
-#include "workbench/lower_block.h"
+#include "bw/pipeline/lower_block.h"
 #include "window_fixture.h"
 
 namespace bw::app {
 namespace {
+
+using pipeline::goesOnBelow;
+using pipeline::withLowerBlock;
 
 Design blockOf(const BlockPlacement& placement, CutPose pose = {}) {
   Design design;
@@ -77,6 +80,9 @@ TEST(LowerBlock, IsNotHelpedBySurfacesThatGoOnBelow) {
   EXPECT_FALSE(goesOnBelow(triangle(10, 0), box));
   EXPECT_TRUE(goesOnBelow(triangle(-10, 0), box));
   EXPECT_FALSE(goesOnBelow(triangle(-10, 700), box)) << "beside the block";
+  // Of a large one what counts is the part over the bottom.
+  EXPECT_FALSE(goesOnBelow({{{-100, 400, 100}, {1300, 0, -40}, {1300, 800, -40}}, {}, {{0, 1, 2}}}, box));
+  EXPECT_TRUE(goesOnBelow({{{-100, 400, 100}, {1200, 0, -90}, {1200, 800, -90}}, {}, {{0, 1, 2}}}, box));
 }
 
 class LowMessage : public WindowTest {
@@ -162,6 +168,9 @@ TEST_F(LowMessage, HasNoneWhereTheSurfaceGoesOnBelow) {
   const int line = floorLine();
   ASSERT_GE(line, 0);
   EXPECT_FALSE(offered(line));
+  const QString text = window().messageList().item(line)->text();
+  EXPECT_TRUE(text.contains("the surface goes on below the block")) << text.toStdString();
+  EXPECT_FALSE(text.contains("a block that reaches")) << text.toStdString();
 }
 
 }  // namespace

@@ -130,15 +130,24 @@ TEST(Findings, TellTheRemediesTheyHold) {
                 .find("passes the block at 20 mm, less than the clearance of 50 mm"),
             std::string::npos);
   EXPECT_NE(
-      said(NearBottom{12.4, 20}, kOne)
+      said(NearBottom{12.4, 20, NearBottom::Lower::keeps, 8}, kOne)
           .find("the blade passes the face that the block lies on at 12.4 mm, less than the floor of 20 "
                 "mm; a block that reaches 8 mm lower keeps it"),
       std::string::npos);
   EXPECT_NE(
-      said(NearBottom{-3, 20}, kOne)
+      said(NearBottom{-3, 20, NearBottom::Lower::keeps, 23}, kOne)
           .find("the blade would be 3 mm below the face that the block lies on; a block that reaches 23 "
                 "mm lower keeps it"),
       std::string::npos);
+  // Where that does not help it is not advised.
+  for (const StationRange& place : {kOne, StationRange{4, 5, 4, 0}}) {
+    EXPECT_TRUE(
+        said(NearBottom{-3, 20, NearBottom::Lower::alsoCut}, place)
+            .ends_with("; the surface goes on below the block, so that a lower one would be cut lower, too"));
+    EXPECT_TRUE(said(NearBottom{-3, 20, NearBottom::Lower::noRoom, 23}, place)
+                    .ends_with("; there is no room for a block that reaches 23 mm lower"));
+    EXPECT_TRUE(said(NearBottom{12.4, 20}, place).ends_with("less than the floor of 20 mm"));
+  }
   // A range that counts no station is the way between its ends, outside of the row where there is none.
   EXPECT_NE(
       said(NearBottom{-3, 20}, StationRange{-1, 0, 0, 0})

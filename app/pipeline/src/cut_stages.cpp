@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "advice.h"
 #include "bw/core/parts/cut_order.h"
@@ -17,6 +18,7 @@
 #include "bw/core/sweep/firm_row.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/lower_block.h"
 #include "tried_advice.h"
 
 namespace bw::pipeline {
@@ -599,6 +601,18 @@ Result<void> checkRow(const CutWork& work) {
   return ok ? seeTheCut(work, work.seconds.check) : ok;
 }
 
+/// How much lower the block would have to reach for ways that come below the floor.
+Result<void> seekLower(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const bool low = std::ranges::any_of(e.motion.findings, [](const Finding& finding) {
+    return std::holds_alternative<NearBottom>(finding.cause);
+  });
+  if (!low || work.tried) return {};
+  return work.settle(
+      &CutEvaluation::lower, {}, {e.motion.value, e.way.value, e.ends.value}, work.seconds.check,
+      [&](const NoRequest&, Findings&) { return lowerForWays(e, e.motion.findings, work.context); });
+}
+
 }  // namespace
 
 Result<void> runMotion(const CutWork& work, double& seconds) {
@@ -648,6 +662,7 @@ Result<void> check(const CutWork& work) {
                      return buildMotion(*e.sweep.value, *e.ends.value, e.way.value->targets, request,
                                         findings);
                    });
+  if (ok) ok = seekLower(work);
   if (ok) ok = confirmTaken(work);
   if (!ok) return ok;
   const Blade blade = work.blade();

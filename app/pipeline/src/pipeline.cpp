@@ -13,6 +13,7 @@
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/core/sweep/lowest_place.h"
+#include "bw/pipeline/lower_block.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cut_stages.h"
@@ -388,6 +389,7 @@ Findings Evaluation::findings() const {
       adviseLength(own, cut, blade);
       adviseClearance(own, cut);
       adviseMargin(own, cut);
+      adviseLowerBlock(own, cut, design);
       append(own, lengthFindings(cut, blade));
       for (Finding& finding : own) {
         if (blocks.size() > 1) finding.where.block = block.id;
@@ -447,6 +449,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.ends, from->ends);
       takeMissing(cut.rest, from->rest);
       takeMissing(cut.motion, from->motion);
+      takeMissing(cut.lower, from->lower);
       takeMissing(cut.lengths, from->lengths);
       takeMissing(cut.margins, from->margins);
       takeMissing(cut.clearances, from->clearances);

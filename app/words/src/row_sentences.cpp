@@ -232,8 +232,19 @@ std::string Sentences::operator()(const NearBottom& cause) const {
       (cause.height < 0 ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
                         : "the blade passes the face that the block lies on at " + mm(cause.height) +
                               ", less than the floor of " + mm(cause.floor));
-  return text + (atHome ? "; a home that lies " : "; a block that reaches ") +
-         mm(std::ceil(cause.floor - cause.height)) + (atHome ? " higher keeps it" : " lower keeps it");
+  if (atHome)
+    return text + "; a home that lies " + mm(std::ceil(cause.floor - cause.height)) + " higher keeps it";
+  switch (cause.lower) {
+    case NearBottom::Lower::unknown:
+      break;
+    case NearBottom::Lower::keeps:
+      return text + "; a block that reaches " + mm(cause.lowerBy) + " lower keeps it";
+    case NearBottom::Lower::alsoCut:
+      return text + "; the surface goes on below the block, so that a lower one would be cut lower, too";
+    case NearBottom::Lower::noRoom:
+      return text + "; there is no room for a block that reaches " + mm(cause.lowerBy) + " lower";
+  }
+  return text;
 }
 
 std::string Sentences::operator()(const SteepAngle& cause) const {

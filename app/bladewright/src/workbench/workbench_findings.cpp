@@ -7,7 +7,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
-#include "workbench/lower_block.h"
+#include "bw/pipeline/lower_block.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -172,21 +172,15 @@ std::vector<Offer> Workbench::offersOf(const Message& message) const {
                           std::visit(Mend{design, cutOf(design)}, remedy);
                         }});
   const NearBottom* low = message.finding ? std::get_if<NearBottom>(&message.finding->cause) : nullptr;
-  // The cell's home is no part of the design.
-  if (!low || !message.finding->where.stations) return offers;
-  const auto& newest = runner_.evaluation();
-  const pipeline::CutEvaluation* own = newest ? newest->find(cut().id) : nullptr;
-  if (!own || !own->targetMesh.value || !block().placement ||
-      goesOnBelow(*own->targetMesh.value, lying(block().placement->box(), cut().pose)))
-    return offers;
-  const double by = std::ceil(low->floor - low->height);
-  if (!withLowerBlock(design(), cut().id, by)) return offers;
+  if (!low || low->lower != NearBottom::Lower::keeps) return offers;
+  const double by = low->lowerBy;
+  if (!pipeline::withLowerBlock(design(), cut().id, by)) return offers;
   const QString which = design().stock.size() == 1 ? tr("the block")
                         : design().grid            ? tr("the blocks")
                                                    : QString::fromStdString(printable(block().id));
   const QString text = tr("Let %1 reach %2 mm lower").arg(which, QString::fromStdString(fixedText(by, 0)));
   offers.push_back({text, [id = cut().id, by](Design& design) {
-                      if (std::optional<Design> lower = withLowerBlock(design, id, by))
+                      if (std::optional<Design> lower = pipeline::withLowerBlock(design, id, by))
                         design = std::move(*lower);
                     }});
   return offers;

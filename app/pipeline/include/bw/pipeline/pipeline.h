@@ -78,6 +78,12 @@ struct StationView {
   double deviation;  ///< mm, the largest distance of its cut from the target
 };
 
+/// A way beside the stations that keeps the floor where its block reaches so many mm lower.
+struct LowerWay {
+  StationRange stations;  ///< those beside it, -1 for none
+  double by = 0;
+};
+
 /// What a cut came to, once all of its stages are done: views of their results.
 struct CutResult {
   const Sweep& sweep;
@@ -132,6 +138,7 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;         ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;               ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
+  Stage<NoRequest, std::vector<LowerWay>> lower;  ///< only where a way comes below the floor
   Stage<Kerf, SweptSurface> swept;                ///< only where its block has several cuts
   Stage<NoRequest, Simulation> run;               ///< the motion run; for files, and from `addSecondThought`
   Stage<WayRequest, SimulatedSurface> simulated;  ///< what that cuts; likewise

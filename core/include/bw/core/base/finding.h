@@ -147,7 +147,16 @@ struct GripTooNear {
 /// The blade comes near to the face that the block lies on, or below it.
 struct NearBottom {
   static constexpr FindingKind kind = FindingKind::floor;
+  /// What a block that reaches lower comes to there.
+  enum class Lower {
+    unknown,
+    keeps,    ///< with one that reaches `lowerBy` lower the blade keeps the floor
+    alsoCut,  ///< the surface goes on below the block: a lower one is cut lower, too
+    noRoom    ///< something lies below, or no block is as large
+  };
   double height = 0, floor = 0;  ///< negative below the face
+  Lower lower = Lower::unknown;
+  double lowerBy = 0;
 };
 struct SteepAngle {
   static constexpr FindingKind kind = FindingKind::angle;
