@@ -217,6 +217,10 @@ int runRender(const Session& session, const RenderOptions& options) {
   if (product.error) return session.complain(*product.error);
   if (const Result<void> ok = pipeline::addParts(product.evaluation, session.context()); !ok)
     return session.complain(ok.error());
+  if (const MapInfo* map = cutMap(field); map && !map->ofCut && !pipeline::hasCreases(product.evaluation))
+    return session.complain(
+        {ErrorCode::badInput,
+         "there is no crease to be coloured: no two cuts of a block meet; take another field", "field"});
   scene::Scene scene;
   scene.setContent(pipeline::sceneContent(product.evaluation));
   scene::Style style;

@@ -331,6 +331,13 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
   ASSERT_EQ(block["creases"].size(), 1u);
   EXPECT_EQ(block["creases"][0]["cuts"], (nlohmann::json{"north", "east"}));
   EXPECT_LT(block["creases"][0]["off_max_mm"], 2.0);
+  ASSERT_FALSE(block["creases"][0]["curves"].empty());
+  for (const auto& curve : block["creases"][0]["curves"]) {
+    ASSERT_EQ(curve["points"].size(), curve["off_mm"].size());
+    ASSERT_GE(curve["points"].size(), 2u);
+    EXPECT_EQ(curve["points"][0].size(), 3u);
+    for (const auto& off : curve["off_mm"]) EXPECT_LE(off.get<double>(), block["creases"][0]["off_max_mm"]);
+  }
   EXPECT_EQ(block["cuts"][0]["turn_deg"], 90);
   EXPECT_EQ(report["strips"].size(), 2u);
   EXPECT_EQ(block["part"]["pieces"], 1);

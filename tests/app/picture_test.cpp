@@ -261,6 +261,8 @@ TEST_F(PictureTest, EveryMapHasOneNameEverywhere) {
       ASSERT_TRUE(field) << map.name;
       EXPECT_EQ(QString::fromStdString(field->title), title);
     }
+    EXPECT_EQ(command->isEnabled(), map.ofCut) << map.name << ": the panel has no creases";
+    if (!map.ofCut) continue;
     window().commands()["map." + QString(map.name)]->trigger();
     EXPECT_TRUE(view().legendRange()) << map.name;
   }
@@ -268,6 +270,25 @@ TEST_F(PictureTest, EveryMapHasOneNameEverywhere) {
   const Blade& blade = bench().design().blade;
   EXPECT_EQ(view().legendRange()->first, 0);
   EXPECT_NEAR(view().legendRange()->second, blade.stress(blade.maxCurvature()), 1e-9);
+}
+
+TEST_F(PictureTest, CreasesAreColouredByHowFarTheyAreOff) {
+  ASSERT_TRUE(window().openExample("two-crossing-cuts"));
+  ASSERT_TRUE(settle());
+  QAction* command = window().commands()["map.crease"];
+  ASSERT_TRUE(command->isEnabled());
+  command->trigger();
+  EXPECT_TRUE(command->isChecked());
+  ASSERT_TRUE(view().legendRange());
+  EXPECT_EQ(view().legendRange()->first, 0);
+  EXPECT_NEAR(view().legendRange()->second, bench().design().process.tolerance, 1e-9);
+  const auto* creases = view().content().first<scene::Creases>();
+  ASSERT_TRUE(creases);
+  const Crease& own = bench().shown()->blocks.front().together.value->creases.front();
+  ASSERT_EQ(creases->curves.size(), own.curves.size());
+  EXPECT_EQ(creases->off[0].size(), own.curves[0].size());
+  EXPECT_EQ(creases->off[0][3], own.off[0][3].value());
+  picture("crease-map");
 }
 
 }  // namespace

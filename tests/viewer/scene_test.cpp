@@ -356,6 +356,59 @@ TEST_F(SceneTest, CreasesStandOverTheSurfaceRedWhereTheyAreOff) {
   EXPECT_EQ(count(draw(style, "creases-hidden", View::top), isRed), count(none, isRed));
 }
 
+TEST_F(SceneTest, CreasesHaveAMapOfHowFarTheyAreOff) {
+  Content content = test::sampleContent();
+  const SurfaceGrid& cut = content.first<CutSurface>()->grid;
+  Creases creases;
+  // Across the middle of the surface: from nothing to twice the tolerance, and a place where none was
+  // designed.
+  const auto first = cut.points.begin() + std::ptrdiff_t(cut.rows / 2) * cut.columns;
+  creases.curves.emplace_back(first, first + cut.columns);
+  creases.within.emplace_back(first, first + cut.columns / 2);
+  creases.beyond.emplace_back(first + cut.columns / 2, first + cut.columns);
+  std::vector<double>& off = creases.off.emplace_back();
+  for (int k = 0; k < cut.columns; ++k) off.push_back(4.0 * k / (cut.columns - 1));
+  off[1] = std::nan("");
+  Style style;
+  style.tolerance = 2;
+  style[Kind::station].visible = style[Kind::target].visible = false;
+  style[Kind::cut].map = "crease";
+  scene.setContent(content);
+  scene.setStyle(style);
+  EXPECT_FALSE(scene.legendRange()) << "no creases, no map";
+  content.add({0, 0, 1}, creases);
+  scene.setContent(content);
+  ASSERT_TRUE(scene.legendRange());
+  EXPECT_EQ(scene.legendRange()->first, 0);
+  EXPECT_GE(scene.legendRange()->second, 4);
+  const auto isYellow = [](const Color& c) { return c.r > 190 && c.g > 150 && c.b < 130; };
+  const auto isBlue = [](const Color& c) { return c.b > c.r + 30 && c.r < 70; };
+  const auto isOrange = [](const Color& c) { return c.r > 170 && c.g < 110 && c.b < 60; };
+  style.legend = false;
+  const Picture mapped = draw(style, "creases-map", View::top);
+  EXPECT_GT(count(mapped, isBlue), 50) << "hardly off";
+  EXPECT_GT(count(mapped, isYellow), 50) << "nearly as far as the tolerance";
+  EXPECT_GT(count(mapped, isOrange), 200) << "beyond it";
+  style.legend = true;
+  draw(style, "creases-map-legend", View::top);
+  ASSERT_TRUE(scene.overlay().legend);
+  const auto says = [&](const std::string& text) {
+    return std::ranges::any_of(scene.overlay().texts, [&](const Overlay::Text& t) {
+      return t.text.find(text) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says("Crease off"));
+  EXPECT_TRUE(says("within 2 mm"));
+  // Without measures, as while a hand moves a surface, they are drawn as ever.
+  creases.curves.clear();
+  creases.off.clear();
+  content.items.back().data = creases;
+  scene.setContent(content);
+  EXPECT_FALSE(scene.legendRange());
+  const auto isRed = [](const Color& c) { return c.r > 170 && c.g < 90 && c.b < 90; };
+  EXPECT_GT(count(draw(style, "creases-map-none", View::top), isRed), kWidth / 4);
+}
+
 TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   Content content = test::sampleContent();
   content.first<Blades>()->lines.clear();  // they reach farther

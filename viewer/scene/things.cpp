@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/sweep/maps.h"
+
 namespace bw::scene {
 
 namespace {
@@ -98,6 +100,16 @@ bool drawable(Item& item) {
       std::erase_if(*lines, [](const Polyline& line) {
         return line.size() < 2 || !std::ranges::all_of(line, [](const auto& p) { return p.allFinite(); });
       });
+    for (std::size_t i = creases->curves.size(); i-- > 0;) {
+      const Polyline& curve = creases->curves[i];
+      const bool good = i < creases->off.size() && creases->off[i].size() == curve.size() &&
+                        curve.size() >= 2 &&
+                        std::ranges::all_of(curve, [](const auto& p) { return p.allFinite(); });
+      if (good) continue;
+      creases->curves.erase(creases->curves.begin() + std::ptrdiff_t(i));
+      if (i < creases->off.size()) creases->off.erase(creases->off.begin() + std::ptrdiff_t(i));
+    }
+    creases->off.resize(creases->curves.size());
     return !creases->within.empty() || !creases->beyond.empty();
   }
   if (const Box* box = std::get_if<Box>(&item.data))
@@ -195,6 +207,32 @@ Things::Changes Things::renew(const Content& items) {
   return changes;
 }
 
+namespace {
+
+/// How far creases lie off, of those in sight where there are any, else of all.
+void addCreaseMap(Things& things, const Style& style, std::map<std::string, ShownMap>& maps) {
+  ShownMap map;
+  for (const bool hiddenToo : {false, true})
+    for (const Stock& stock : things.stocks)
+      for (const auto& [id, creases] : stock.creases)
+        if (!creases->curves.empty() &&
+            (hiddenToo ? map.creases.empty() : style.of(Kind::crease, id).visible))
+          map.creases.emplace_back(id, creases);
+  Field& field = things.creaseField;
+  const MapInfo* info = cutMap(kCreaseMap);
+  field = {kCreaseMap, info->title, info->unit, {}};
+  for (const auto& [id, creases] : map.creases)
+    for (const std::vector<double>& off : creases->off)
+      field.values.insert(field.values.end(), off.begin(), off.end());
+  map.summary = summarize(field.values);
+  if (map.summary.count == 0) return;
+  map.field = &field;
+  if (style.tolerance > 0) map.colors.limit = style.tolerance;
+  maps[kCreaseMap] = std::move(map);
+}
+
+}  // namespace
+
 std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style) {
   std::map<std::string, ShownMap> maps;
   for (const bool hiddenToo : {false, true}) {
@@ -220,12 +258,15 @@ std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style) {
         map.colors.limit = std::max(map.colors.limit.value_or(0), limit->second);
     }
   }
+  if (style[Kind::cut].map == kCreaseMap) addCreaseMap(things, style, maps);
   for (Row& row : things.rows) row.map = nullptr;
   for (auto& [word, map] : maps) {
     map.colors = {word, legendRangeOf(word, map.summary, style, map.colors.limit), style.tolerance,
                   map.colors.limit};
     for (Row* row : map.rows) row->map = &map;
   }
+  const auto ofCreases = maps.find(kCreaseMap);
+  for (Stock& stock : things.stocks) stock.map = ofCreases == maps.end() ? nullptr : &ofCreases->second;
   return maps;
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bw/scene/scene.h"
@@ -16,10 +17,11 @@ namespace bw::scene {
 
 struct Row;
 
-/// One map as it is shown: its field in every row that has it, under one range.
+/// One map as it is shown: its field in every row that has it, under one range; or, of creases, in them.
 struct ShownMap {
   const Field* field = nullptr;  ///< of one of the rows, for its words
   std::vector<Row*> rows;
+  std::vector<std::pair<ItemId, const Creases*>> creases;  ///< in sight, where it is theirs
   FieldSummary summary;
   ColorMap colors;
 };
@@ -52,7 +54,8 @@ struct Stock {
   const TriangleMesh* part = nullptr;        ///< what is left of it
   std::map<ItemId, const Creases*> creases;  ///< between its cuts
   std::vector<const Row*> rows;
-  TriangleMesh cuts;  ///< of its rows together
+  TriangleMesh cuts;              ///< of its rows together
+  const ShownMap* map = nullptr;  ///< of its creases, where the style wants it
 };
 
 struct ShownTarget {
@@ -79,13 +82,18 @@ struct Things {
   std::deque<Row> rows;
   std::vector<Stock> stocks;
   std::shared_ptr<const FaceMesh> faces;
+  Field creaseField;  ///< words of the map of creases, made where it is shown
 };
 
 /// Takes away of an item what cannot be drawn; false where nothing is left of it.
 bool drawable(Item& item);
 
+/// The word of the map of creases, which is theirs and no cut surface's.
+inline constexpr const char* kCreaseMap = "crease";
+
 /// The maps that a style asks for, by their word; tells each row its own. A map's range is that of all rows
-/// in sight that have it, of all that have it where none is.
+/// in sight that have it, of all that have it where none is. That of creases is asked for as that of all cut
+/// surfaces is; its limit is the tolerance.
 std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style);
 
 }  // namespace bw::scene

@@ -4,6 +4,7 @@
 #include "bw/pipeline/scene_content.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <span>
@@ -41,8 +42,12 @@ std::vector<Eigen::Vector3d> leftOf(std::vector<Eigen::Vector3d> curve, std::spa
 /// no crease designed is near to is beyond.
 scene::Creases linesOf(const Crease& crease, double tolerance) {
   scene::Creases lines;
+  lines.curves = crease.curves;
   for (std::size_t i = 0; i < crease.curves.size(); ++i) {
     const Polyline& curve = crease.curves[i];
+    std::vector<double>& off = lines.off.emplace_back(curve.size(), std::nan(""));
+    for (std::size_t k = 0; k < curve.size(); ++k)
+      if (i < crease.off.size() && k < crease.off[i].size() && crease.off[i][k]) off[k] = *crease.off[i][k];
     const auto good = [&](std::size_t k) {
       return i < crease.off.size() && k < crease.off[i].size() && crease.off[i][k] &&
              *crease.off[i][k] <= tolerance;
@@ -210,6 +215,7 @@ Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, 
   std::vector<ReportPicture> pictures;
   for (const PictureOfReport& wanted : kReportPictures) {
     if (context.stopped()) return stoppedError();
+    if (!isOf(wanted, evaluation)) continue;
     scene::Style style;
     style[scene::Kind::cut].map = wanted.field;
     style.tolerance = evaluation.design.process.tolerance;

@@ -3,8 +3,10 @@
 
 #include "bw/pipeline/handover.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "bw/core/sweep/maps.h"
 #include "bw/geometry/export.h"
 #include "make_files.h"
 
@@ -57,6 +59,19 @@ Result<FileSet> filesBeside(const Evaluation& evaluation, const Pictures& makePi
 }
 
 }  // namespace
+
+bool hasCreases(const Evaluation& evaluation) {
+  return std::ranges::any_of(evaluation.blocks, [](const BlockEvaluation& block) {
+    return block.together.value &&
+           std::ranges::any_of(block.together.value->creases,
+                               [](const Crease& crease) { return !crease.curves.empty(); });
+  });
+}
+
+bool isOf(const PictureOfReport& picture, const Evaluation& evaluation) {
+  const MapInfo* map = cutMap(picture.field);
+  return !map || map->ofCut || hasCreases(evaluation);
+}
 
 Policy withHandover(Policy policy, Pictures pictures, const RunContext& context) {
   policy.more = [pictures = std::move(pictures), wanted = policy.wanted, context](

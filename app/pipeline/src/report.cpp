@@ -133,6 +133,19 @@ ordered_json lyingJson(const Cut& cut) {
           {"offset_mm", cut.offset}};
 }
 
+/// The curves of a crease, each with its points and how far these are off; null where that is not known.
+ordered_json creaseCurvesJson(const Crease& crease) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t c = 0; c < crease.curves.size(); ++c) {
+    ordered_json points = ordered_json::array(), off = ordered_json::array();
+    for (const Eigen::Vector3d& p : crease.curves[c]) points.push_back(vec(p));
+    for (const std::optional<double>& value : crease.off[c])
+      off.push_back(value ? ordered_json(*value) : ordered_json());
+    list.push_back({{"points", points}, {"off_mm", off}});
+  }
+  return list;
+}
+
 ordered_json creasesJson(const BlockEvaluation& block) {
   ordered_json list = ordered_json::array();
   for (const Crease& crease : block.together.value->creases)
@@ -141,7 +154,8 @@ ordered_json creasesJson(const BlockEvaluation& block) {
                     {"off_max_mm", crease.offMax},
                     {"off_mean_mm", crease.offMean},
                     {"not_designed_mm", crease.alone},
-                    {"not_cut_mm", crease.lacking}});
+                    {"not_cut_mm", crease.lacking},
+                    {"curves", creaseCurvesJson(crease)}});
   return list;
 }
 

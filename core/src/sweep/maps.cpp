@@ -17,7 +17,7 @@ constexpr double kMostMoved = 100;  // mm: where a blade is about to snap it has
 
 constexpr std::array kRests = {"lost", "unknown", "held", "certain"};  // as certaintyField numbers them
 
-constexpr std::array<MapInfo, 8> kMaps = {
+constexpr std::array<MapInfo, 9> kMaps = {
     {{"deviation", "Deviation", "mm", [](const CutSample& s) { return s.deviation; }, MapRule::banded},
      {"angle", "Cutting angle", "°", [](const CutSample& s) { return toDegrees(s.angle); }, MapRule::plain,
       1},
@@ -28,7 +28,8 @@ constexpr std::array<MapInfo, 8> kMaps = {
      {"stress", "Bending stress", "N/mm²", [](const CutSample& s) { return s.stress; }},
      {"grip_error", "Moved by grip errors", "mm",
       [](const CutSample& s) { return s.movedByGrip < kMostMoved ? s.movedByGrip : kMostMoved; }},
-     {"certainty", "Certainty", "", nullptr, MapRule::words, 1, kRests}}};
+     {"certainty", "Certainty", "", nullptr, MapRule::words, 1, kRests},
+     {"crease", "Crease off", "mm", nullptr, MapRule::plain, 1e-3, {}, false}}};
 
 }  // namespace
 

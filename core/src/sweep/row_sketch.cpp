@@ -97,7 +97,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   cut.points.resize(n * kPoints);
   std::vector<std::pair<std::size_t, double (*)(const CutSample&)>> maps;
   for (const MapInfo& map : cutMaps()) {
-    if (map.name == std::string_view("grip_error")) continue;
+    if (!map.ofCut || map.name == std::string_view("grip_error")) continue;
     if (map.value) maps.emplace_back(cut.fields.size(), map.value);
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
   }

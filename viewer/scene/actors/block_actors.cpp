@@ -19,6 +19,7 @@ namespace bw::scene {
 namespace {
 
 constexpr double kCreaseWidth = 3;     ///< device-independent pixels
+constexpr double kMappedWidth = 7;     ///< where its colours are to be read
 constexpr double kHatchShare = 0.016;  ///< distance of the hatching, in diagonals
 
 /// The six faces of a box, counter-clockwise seen from outside.
@@ -124,7 +125,8 @@ void TravelArrow::setStyle(const Style& style, const Rgb& background) {
 }
 
 BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
-  for (Part* part : {&edges_, &crease_, &creaseOff_, &fill_, &hatch_, &outline_, &cut_}) part->setFlat();
+  for (Part* part : {&edges_, &crease_, &creaseOff_, &creaseMap_, &fill_, &hatch_, &outline_, &cut_})
+    part->setFlat();
   for (Part* part : {&back_, &front_}) {
     part->setMatte(0.75, 0.25, 0.0);
     part->property()->SetInterpolationToFlat();
@@ -133,7 +135,7 @@ BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
   front_.property()->BackfaceCullingOn();
   part_.setMatte(0.45, 0.6, 0.0);
   layers.add(Layer::cut, part_);
-  for (Part* part : {&crease_, &creaseOff_}) layers.add(Layer::stations, *part);
+  for (Part* part : {&crease_, &creaseOff_, &creaseMap_}) layers.add(Layer::stations, *part);
   for (Part* part : {&fill_, &hatch_, &outline_, &cut_}) layers.add(Layer::section, *part);
   layers.add(Layer::blockBack, back_);
   for (Part* part : {&front_, &edges_}) layers.add(Layer::blockFront, *part);
@@ -143,6 +145,7 @@ void BlockActors::setContent(const Stock* stock) {
   stock_ = stock;
   valid_ = false;
   creases_.clear();
+  creaseColors_.reset();
   arrow_.setContent(stock);
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
@@ -156,15 +159,30 @@ void BlockActors::showCreases(const Style& style) {
   if (stock_ && stock_->box)
     for (const auto& [id, creases] : stock_->creases)
       if (style.of(Kind::crease, id).visible) seen.push_back(creases);
-  if (seen == creases_) return;
+  std::optional<ColorMap> colors;
+  if (stock_ && stock_->map) colors = stock_->map->colors;
+  if (seen == creases_ && colors == creaseColors_) return;
   creases_ = std::move(seen);
-  std::vector<Polyline> within, beyond;
+  creaseColors_ = std::move(colors);
+  std::vector<Polyline> within, beyond, mapped;
+  std::vector<std::vector<Rgb>> shades;
   for (const Creases* creases : creases_) {
+    if (creaseColors_ && !creases->curves.empty()) {
+      mapped.insert(mapped.end(), creases->curves.begin(), creases->curves.end());
+      for (const std::vector<double>& off : creases->off) {
+        std::vector<Rgb>& shade = shades.emplace_back();
+        // Where the surfaces designed do not meet it is off without end.
+        for (const double value : off)
+          shade.push_back(std::isnan(value) ? theme(false).error : creaseColors_->at(value));
+      }
+      continue;
+    }
     within.insert(within.end(), creases->within.begin(), creases->within.end());
     beyond.insert(beyond.end(), creases->beyond.begin(), creases->beyond.end());
   }
   crease_.setLines(within);
   creaseOff_.setLines(beyond);
+  creaseMap_.setLines(mapped, shades);
 }
 
 void BlockActors::rebuildCap(double diagonal) {
@@ -200,9 +218,10 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
   part_.setColor(colors.foam);
   part_.setFade(keep, background);
   showCreases(style);
-  for (Part* part : {&crease_, &creaseOff_}) {
+  for (Part* part : {&crease_, &creaseOff_, &creaseMap_}) {
     part->setVisible(!creases_.empty());
-    part->setLine(part == &crease_ ? kLineOverSurface : theme(false).error, kCreaseWidth * px);
+    part->setLine(part == &creaseOff_ ? theme(false).error : kLineOverSurface,
+                  (part == &creaseMap_ ? kMappedWidth : kCreaseWidth) * px);
     part->setFade(keep * std::clamp(style[Kind::crease].opacity, 0.0, 1.0), background);
   }
 
@@ -228,7 +247,7 @@ void BlockActors::update(double line) {
   // The cut surfaces are its faces: they are seen.
   part_.setDepthShift(-line);
   hatch_.setDepthShift(0.5 * line);
-  for (Part* part : {&crease_, &creaseOff_}) part->setDepthShift(1.5 * line);
+  for (Part* part : {&crease_, &creaseOff_, &creaseMap_}) part->setDepthShift(1.5 * line);
   for (Part* part : {&cut_, &outline_}) part->setDepthShift(line);
 }
 

@@ -33,13 +33,16 @@ class TravelArrow {
   bool visible_ = false;
 };
 
-/// A block of foam with the arrow beside it, the creases between its cuts (red where they are off), and what
+/// A block of foam with the arrow beside it, the creases between its cuts (red where they are off, or in the
+/// colours of their map), and what
 /// a section lays bare in it: the hatched foam, its outline, and the lines of its cut surfaces.
 class BlockActors {
  public:
   explicit BlockActors(Layers& layers);
   /// What a section cuts open.
-  std::array<Part*, 6> parts() { return {&back_, &front_, &edges_, &part_, &crease_, &creaseOff_}; }
+  std::array<Part*, 7> parts() {
+    return {&back_, &front_, &edges_, &part_, &crease_, &creaseOff_, &creaseMap_};
+  }
   /// What shades and is shaded of it.
   vtkActor* solid() const { return part_.actor(); }
   /// The stock stays where it is until the next call; null hides it.
@@ -57,12 +60,13 @@ class BlockActors {
   /// Draws the creases that are seen.
   void showCreases(const Style& style);
 
-  Part back_, front_, edges_, part_, crease_, creaseOff_, fill_, hatch_, outline_, cut_;
+  Part back_, front_, edges_, part_, crease_, creaseOff_, creaseMap_, fill_, hatch_, outline_, cut_;
   TravelArrow arrow_;
   const Stock* stock_ = nullptr;
   std::optional<SectionPlane> section_;  ///< that the cap was made for
   bool valid_ = false;
-  std::vector<const Creases*> creases_;  ///< that are drawn
+  std::vector<const Creases*> creases_;   ///< that are drawn
+  std::optional<ColorMap> creaseColors_;  ///< by which, where that is how far they are off
 };
 
 }  // namespace bw::scene

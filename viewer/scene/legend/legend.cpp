@@ -19,12 +19,22 @@ constexpr double kMaxBar = 360;  ///< device-independent pixels
 constexpr double kMinBar = 60;
 constexpr double kTickLine = 14;  ///< between two numbers beside the bar
 
-/// Each value of a map counts as much as the area that it stands for, mm².
+/// Each value of a map counts as much as the area that it stands for, mm², or, of creases, the length, mm.
 void everyValue(const ShownMap& map, const std::function<void(double value, double area)>& see) {
   for (const Row* row : map.rows) {
     const std::vector<double>& values = row->field()->values;
     for (std::size_t i = 0; i < values.size(); ++i) see(values[i], row->areas[i]);
   }
+  // Those of creases as much as the length.
+  for (const auto& [id, creases] : map.creases)
+    for (std::size_t c = 0; c < creases->curves.size(); ++c) {
+      const Polyline& curve = creases->curves[c];
+      for (std::size_t k = 0; k < curve.size(); ++k) {
+        const double before = k > 0 ? (curve[k] - curve[k - 1]).norm() : 0,
+                     after = k + 1 < curve.size() ? (curve[k + 1] - curve[k]).norm() : 0;
+        see(creases->off[c][k], 0.5 * (before + after));
+      }
+    }
 }
 
 std::vector<double> histogram(const ShownMap& map, int bins) {
@@ -80,6 +90,7 @@ void Legend::update(int width, int height, const Style& style, const ShownMap* s
   }
   std::vector<ItemId> rows;
   for (const Row* row : shown->rows) rows.push_back(row->id);
+  for (const auto& [id, creases] : shown->creases) rows.push_back(id);
   const std::tuple key(width, height, style.dark, style.pixelRatio, shown->colors, rows, contentVersion);
   if (key == key_) return;
   key_ = key;

@@ -62,6 +62,8 @@ class Part {
   void setFade(double keep, const Rgb& background);
 
   void setLines(const std::vector<Polyline>& lines);
+  /// The same, each point in its own colour, and from point to point from one to the next.
+  void setLines(const std::vector<Polyline>& lines, const std::vector<std::vector<Rgb>>& colors);
   void setSegments(const Segments& segments);
   /// Flat polygons.
   void setPolygons(const std::vector<Polyline>& polygons);

@@ -13,10 +13,12 @@
 #include <vtkShaderProperty.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUniforms.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace bw::scene {
@@ -115,6 +117,21 @@ vtkSmartPointer<vtkCellArray> makeCells(vtkPolyData* data, const auto& lists) {
 }  // namespace
 
 void Part::setLines(const std::vector<Polyline>& lines) { data_->SetLines(makeCells(data_, lines)); }
+void Part::setLines(const std::vector<Polyline>& lines, const std::vector<std::vector<Rgb>>& colors) {
+  setLines(lines);
+  const auto values = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  values->SetNumberOfComponents(3);
+  const auto byte = [](double share) {
+    return (unsigned char)(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+  };
+  for (const std::vector<Rgb>& line : colors)
+    for (const Rgb& color : line) {
+      const unsigned char rgb[3] = {byte(color.r), byte(color.g), byte(color.b)};
+      values->InsertNextTypedTuple(rgb);
+    }
+  data_->GetPointData()->SetScalars(values);
+  mapper_->ScalarVisibilityOn();
+}
 void Part::setSegments(const Segments& segments) { data_->SetLines(makeCells(data_, segments)); }
 void Part::setPolygons(const std::vector<Polyline>& polygons) { data_->SetPolys(makeCells(data_, polygons)); }
 void Part::clear() { data_->Initialize(); }

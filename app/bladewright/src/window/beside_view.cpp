@@ -58,7 +58,7 @@ scene::Content targetOf(const scene::Content& content) {
 scene::Content cutsOf(const scene::Content& content) {
   scene::Content cuts;
   for (const scene::Item& item : content.items)
-    if (item.kind() == Kind::cut) cuts.items.push_back(item);
+    if (item.kind() == Kind::cut || item.kind() == Kind::crease) cuts.items.push_back(item);
   return cuts;
 }
 

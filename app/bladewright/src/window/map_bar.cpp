@@ -220,6 +220,12 @@ void MapBar::setRangeUnit(const QString& unit) {
   }
 }
 
+void MapBar::setCreases(bool any) {
+  auto* model = qobject_cast<QStandardItemModel*>(field_->model());
+  for (std::size_t i = 0; model && i < cutMaps().size(); ++i)
+    if (!cutMaps()[i].ofCut) model->item(int(i))->setEnabled(any);
+}
+
 void MapBar::showRange() {
   // Without a map there is no range to tell, and one of words has all of them.
   const std::string& map = style_[scene::Kind::cut].map;

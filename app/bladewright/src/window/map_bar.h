@@ -41,6 +41,8 @@ class MapBar : public QFrame {
   void setRangeInUse(const std::optional<std::pair<double, double>>& range);
   /// The unit of the mapped field, in which the range is typed.
   void setRangeUnit(const QString& unit);
+  /// Whether there are creases, whose map can be chosen then.
+  void setCreases(bool any);
   /// Puts the cursor into the range field.
   void editRange();
   ChoiceField& field() { return *field_; }

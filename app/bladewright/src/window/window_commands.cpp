@@ -208,16 +208,23 @@ void MainWindow::makeCommands() {
   const auto addMap = [&](const QString& name, const QString& text, const QString& icon) {
     add(
         qUtf8Printable("map." + name), text, qUtf8Printable(icon),
-        tr("What the colours of the cut surface show"), {QKeySequence("Alt+" + QString::number(key++))},
+        tr("What the colours of the cut surface show"), {QKeySequence("Alt+" + QString::number(key++ % 10))},
         [this, name = name.toStdString()](bool) {
           mapBar_->chooseField(name);
           refreshStyle();  // the map that is on keeps its tick
         },
         true);
   };
-  for (const MapInfo& map : cutMaps())
-    addMap(map.name, tr("Map: %1").arg(QString::fromUtf8(map.title)), QString(map.name).replace('_', '-'));
+  // The maps of cut surfaces, none, and that of creases.
+  const auto addMaps = [&](bool ofCut) {
+    for (const MapInfo& map : cutMaps())
+      if (map.ofCut == ofCut)
+        addMap(map.name, tr("Map: %1").arg(QString::fromUtf8(map.title)),
+               QString(map.name).replace('_', '-'));
+  };
+  addMaps(true);
   addMap("none", tr("No map"), "surface");
+  addMaps(false);
   add(
       "panel.workflow", tr("&Workflow"), "setup", tr("Show the panel at the left"), {QKeySequence("Ctrl+1")},
       [this](bool on) { workflow_->setVisible(on); }, true);

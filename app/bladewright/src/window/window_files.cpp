@@ -129,6 +129,7 @@ std::vector<pipeline::ReportPicture> MainWindow::reportPictures() {
   const scene::Style style = view_->sceneStyle();
   std::vector<pipeline::ReportPicture> pictures;
   for (const pipeline::PictureOfReport& wanted : pipeline::kReportPictures) {
+    if (const auto shown = bench_.shown(); shown && !pipeline::isOf(wanted, *shown)) continue;
     // As on paper: light, with nothing chosen and no blade on its way.
     scene::Style paper;
     paper[scene::Kind::cut].map = wanted.field;

@@ -187,8 +187,15 @@ void MainWindow::refreshStyle() {
   blockHandles_->applyTo(style);
   beside_->setStyle(style);
   const Field* mapped = mappedField(*view_);
-  mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
+  // Creases have their map of their own.
+  const MapInfo* map = view_->legendRange() ? cutMap(style[scene::Kind::cut].map) : nullptr;
+  mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit)
+                        : map  ? QString::fromUtf8(map->unit)
+                               : QString());
   mapBar_->setRangeInUse(view_->legendRange());
+  const auto result = bench_.shown();
+  const bool creases = result && pipeline::hasCreases(*result);
+  mapBar_->setCreases(creases);
   inspector_->setStale(staleShown_ || bench_.sketch());  // its numbers are those of the result
   refreshSummary();
   commands_["view.handles"]->setChecked(handles_->shown());
@@ -196,6 +203,8 @@ void MainWindow::refreshStyle() {
   for (const auto& [id, isOn] : toggles_) commands_[id]->setChecked(isOn(style));
   for (const std::string& name : MapBar::fieldNames())
     commands_[QString::fromStdString("map." + name)]->setChecked(style[scene::Kind::cut].map == name);
+  for (const MapInfo& one : cutMaps())
+    commands_["map." + QString(one.name)]->setEnabled(one.ofCut || creases);
   commands_["view.section"]->setChecked(sectioned_);
 }
 

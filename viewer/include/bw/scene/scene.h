@@ -69,6 +69,10 @@ struct FoamPart {
 /// as designed, or not measured, and farther from there than it may be.
 struct Creases {
   std::vector<Polyline> within, beyond;
+  /// The same without a break, and mm that each point is off, NaN where that is not known: what the map
+  /// "crease" shows. Empty where it is not measured.
+  std::vector<Polyline> curves = {};
+  std::vector<std::vector<double>> off = {};
 };
 
 /// A thing in the picture.

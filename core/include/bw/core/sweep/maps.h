@@ -33,10 +33,11 @@ struct MapInfo {
   const char* name;                          ///< the word in files and on the command line, "relative_speed"
   const char* title;                         ///< for people, "Relative speed"
   const char* unit;                          ///< "mm", "°", …; empty for a ratio
-  double (*value)(const CutSample& sample);  ///< in that unit; null for what is known of stations only
+  double (*value)(const CutSample& sample);  ///< in that unit; null for what no such point tells
   MapRule rule = MapRule::plain;
   double leastSpan = 1e-3;  ///< of an automatic range, in its unit
   std::span<const char* const> words = {};
+  bool ofCut = true;  ///< else of the creases in which cut surfaces meet, which are coloured in its place
 };
 
 /// All maps, in the order of every list of them. Those with a `value` are the fields of `SweepAnalysis::cut`,
