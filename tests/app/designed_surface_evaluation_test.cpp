@@ -126,6 +126,42 @@ TEST(DesignedSurface, ALowerBlockIsAdvisedOnlyWhereItHelps) {
   EXPECT_FALSE(lows(evaluated(*withLowerBlock(design, design.cut().id, most))).empty());
 }
 
+TEST(DesignedSurface, TellsOverWhatStretchKeyBladesAreNone) {
+  Design design = exampleDesign("key-blade-fan").value();
+  design.output.programs.clear();
+  const auto told = [](const Evaluation& e) {
+    Findings all = e.findings();
+    std::erase_if(all, [](const Finding& f) { return f.kind() != FindingKind::keyBlades; });
+    return all;
+  };
+  const Evaluation good = evaluated(design);
+  ASSERT_EQ(good.told.size(), 1u);
+  ASSERT_TRUE(good.told[0].value);
+  EXPECT_TRUE(good.told[0].value->empty());
+  EXPECT_TRUE(told(good).empty());
+  auto& blades = std::get<BladesSurface>(design.sources[0].surface->shape).blades;
+  const double radius = design.blade.minRadius(), y = blades[1].y;
+  blades[1].bend = std::copysign(1.1 * blades[1].length / radius, blades[1].bend);
+  // It is told whether or not the rest comes to a result.
+  const Evaluation bad = evaluate(design, &good, {}).evaluation;
+  const Findings tight = told(bad);
+  ASSERT_EQ(tight.size(), 1u);
+  const auto& cause = std::get<ToldBlades>(tight[0].cause);
+  EXPECT_EQ(cause.fault, ToldBlades::Fault::tight);
+  EXPECT_LT(cause.from, y);
+  EXPECT_GT(cause.to, y);
+  EXPECT_LE(cause.radius, radius / 1.1 + 1e-6);
+  EXPECT_EQ(cause.limit, radius);
+  // Another tolerance asks nothing anew of it; another blade does.
+  design.process.tolerance *= 2;
+  const Evaluation same = evaluate(design, &bad, {}).evaluation;
+  EXPECT_EQ(same.told[0].value, bad.told[0].value);
+  design.blade.yieldStress *= 2;
+  EXPECT_TRUE(told(evaluate(design, &bad, {}).evaluation).empty());
+  // Other surfaces are told by no blades.
+  EXPECT_FALSE(evaluated(exampleDesign("bump").value()).told[0].value);
+}
+
 /// A surface so low over the bottom of its block that the grips of a slack arc would lie below it.
 Design lowRipple() {
   Design design = exampleDesign("ripple-along").value();

@@ -291,5 +291,30 @@ TEST_F(PictureTest, CreasesAreColouredByHowFarTheyAreOff) {
   picture("crease-map");
 }
 
+TEST_F(PictureTest, KeyBladesThatNoBladeCanBeAreMarked) {
+  ASSERT_TRUE(window().openExample("key-blade-fan"));
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(view().content().first<scene::ToldMarks>()) << "the example can be cut as it opens";
+  const double sharp = 1 / bench().design().blade.minRadius();
+  bench().editSurface("Bend a key blade", [&](DesignedSurface& surface) {
+    KeyBlade& blade = std::get<BladesSurface>(surface.shape).blades[1];
+    blade.bend = std::copysign(1.15 * sharp * blade.length, blade.bend);
+  });
+  ASSERT_TRUE(settle());
+  const auto* marks = view().content().first<scene::ToldMarks>();
+  ASSERT_TRUE(marks);
+  EXPECT_GT(marks->lines.size(), 3u);
+  window().commands()["tab.messages"]->trigger();
+  bool told = false;
+  const MessageList& list = window().messageList();
+  for (int i = 0; i < list.count(); ++i)
+    told = told || list.item(i)->text().contains("the key blades tell shapes that bend to a radius of");
+  EXPECT_TRUE(told);
+  picture("told-stretch");
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(view().content().first<scene::ToldMarks>());
+}
+
 }  // namespace
 }  // namespace bw::app

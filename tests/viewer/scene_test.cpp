@@ -409,6 +409,35 @@ TEST_F(SceneTest, CreasesHaveAMapOfHowFarTheyAreOff) {
   EXPECT_GT(count(draw(style, "creases-map-none", View::top), isRed), kWidth / 4);
 }
 
+TEST_F(SceneTest, ToldBladesThatNoneCanBeAreMarked) {
+  Content content = test::sampleContent();
+  const SurfaceGrid& cut = content.first<CutSurface>()->grid;
+  ToldMarks marks;
+  for (int row = cut.rows / 3; row < cut.rows / 2; row += 2) {
+    const auto first = cut.points.begin() + std::ptrdiff_t(row) * cut.columns;
+    marks.lines.emplace_back(first, first + cut.columns);
+  }
+  marks.lines.push_back({{0, 0, 0}, {std::nan(""), 0, 0}});
+  Style style;
+  style[Kind::station].visible = style[Kind::target].visible = false;
+  scene.setContent(content);
+  const auto isAmber = [](const Color& c) { return c.r > 190 && c.g > 80 && c.g < 170 && c.b < 90; };
+  const Picture none = draw(style, "told-none", View::top);
+  content.add({-1, 0}, marks);
+  scene.setContent(content);
+  EXPECT_GT(count(draw(style, "told", View::top), isAmber), count(none, isAmber) + kWidth);
+  style.items[{Kind::told, ItemId{-1, 0}}] = {false};
+  EXPECT_EQ(count(draw(style, "told-hidden", View::top), isAmber), count(none, isAmber));
+  // What takes their place is drawn in it.
+  style.items.clear();
+  Content other;
+  other.add({-1, 0}, ToldMarks{{marks.lines.front()}});
+  scene.setStyle(style);
+  scene.replace(other);
+  const int few = count(draw(style, "told-fewer", View::top), isAmber) - count(none, isAmber);
+  EXPECT_GT(few, kWidth / 4);
+}
+
 TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   Content content = test::sampleContent();
   content.first<Blades>()->lines.clear();  // they reach farther

@@ -114,6 +114,22 @@ TEST(Findings, SayTheSwingOfAnEndWhereItIs) {
       "or a block in which the sections change less");
 }
 
+TEST(Findings, TellOverWhatStretchKeyBladesAreNone) {
+  using Fault = ToldBlades::Fault;
+  EXPECT_EQ(said(ToldBlades{Fault::unstable, 310, 345.22, 328}),
+            "at y = 310 to 345.2 mm the key blades tell shapes in which no blade rests: it would snap out of "
+            "them, worst at y = 328; ease the key blades beside it, or add one there that a blade can be");
+  EXPECT_EQ(
+      said(ToldBlades{Fault::crossing, 0, 0, 0, 0, 0, "wall"}),
+      "wall: at y = 0 mm the key blades tell shapes that cross themselves; ease the key blades beside it, "
+      "or add one there that a blade can be");
+  EXPECT_EQ(
+      said(ToldBlades{Fault::tight, 600, 800, 800, 300, 400}, {}, {BendingBlade{297, "rod", "Rod", 150}}),
+      "at y = 600 to 800 mm the key blades tell shapes that bend to a radius of 300 mm, which this blade "
+      "may only down to 400 mm, worst at y = 800; ease the key blades beside it, or add one there that a "
+      "blade can be; else it takes a blade that bends to 297 mm, such as the Rod (150 mm)");
+}
+
 TEST(Findings, TellTheRemediesTheyHold) {
   EXPECT_NE(said(GripTooNear{-12, 50}, kOne, {OtherLength{1200}})
                 .find("12 mm inside the block; a blade of at least 1200 mm keeps the clearance"),

@@ -154,8 +154,8 @@ void Scene::Impl::setStyle(const Style& given) {
   if (style.chooseFaces) {
     // What was made of the faces steps aside.
     style.items.clear();
-    for (const Kind kind :
-         {Kind::cut, Kind::target, Kind::station, Kind::blade, Kind::block, Kind::part, Kind::crease})
+    for (const Kind kind : {Kind::cut, Kind::target, Kind::station, Kind::blade, Kind::block, Kind::part,
+                            Kind::crease, Kind::told})
       style[kind].visible = false;
     style[Kind::cut].map = "none";
     style.selected = {};

@@ -112,6 +112,12 @@ bool drawable(Item& item) {
     creases->off.resize(creases->curves.size());
     return !creases->within.empty() || !creases->beyond.empty();
   }
+  if (ToldMarks* marks = std::get_if<ToldMarks>(&item.data)) {
+    std::erase_if(marks->lines, [](const Polyline& line) {
+      return line.size() < 2 || !std::ranges::all_of(line, [](const auto& p) { return p.allFinite(); });
+    });
+    return !marks->lines.empty();
+  }
   if (const Box* box = std::get_if<Box>(&item.data))
     return box->size.allFinite() && box->frame.origin.allFinite() && (box->size.array() > 0).all();
   if (const Faces* faces = std::get_if<Faces>(&item.data)) return faces->mesh && sound(*faces->mesh);
@@ -161,6 +167,7 @@ Things::Things(Content& content) {
     if (const auto* creases = std::get_if<Creases>(&item.data))
       stockOf(*this, item.id.block).creases[item.id] = creases;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;
+    if (const auto* marks = std::get_if<ToldMarks>(&item.data)) told[item.id] = marks;
     if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
       Row& row = rowOf(*this, item.id);
       row.cut = cut;

@@ -82,6 +82,7 @@ struct Things {
   std::deque<Row> rows;
   std::vector<Stock> stocks;
   std::shared_ptr<const FaceMesh> faces;
+  std::map<ItemId, const ToldMarks*> told;
   Field creaseField;  ///< words of the map of creases, made where it is shown
 };
 

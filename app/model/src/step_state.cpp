@@ -77,6 +77,7 @@ Step stepOf(FindingKind kind) {
     case FindingKind::healing:
     case FindingKind::leftOut:
     case FindingKind::source:
+    case FindingKind::keyBlades:
       return Step::input;
     case FindingKind::clearance:
     case FindingKind::floor:

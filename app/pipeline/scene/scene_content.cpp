@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -20,6 +21,8 @@ namespace {
 
 /// Points of a drawn curve; a blade bends gently.
 constexpr int kCurvePoints = 65;
+/// mm of travel between the lines that mark a stretch of told blades.
+constexpr double kMarkSpacing = 10;
 
 /// The longest stretch of a station's curve that no other cut takes; `depths` are those of its row, evenly
 /// along it. A point where everything is taken.
@@ -164,6 +167,15 @@ scene::Content sceneContent(const Evaluation& evaluation) {
         content.add({b, c}, *mesh);
   }
   if (evaluation.faceMesh.value) content.add({}, scene::Faces{evaluation.faceMesh.value});
+  for (std::size_t i = 0; i < evaluation.told.size(); ++i) {
+    const auto& told = evaluation.told[i];
+    if (!told.value || told.value->empty()) continue;
+    scene::ToldMarks marks;
+    for (const ToldStretch& stretch : *told.value)
+      std::ranges::move(markedBlades(*told.request.surface, stretch, kMarkSpacing),
+                        std::back_inserter(marks.lines));
+    content.add({-1, int(i)}, std::move(marks));
+  }
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
     const BlockEvaluation& block = evaluation.blocks[std::size_t(b)];
     const geometry::Setup* setup = block.cuts.front().setup.get();

@@ -197,6 +197,27 @@ Result<void> readSources(Evaluation& e, const Evaluation* previous, const RunCon
   return {};
 }
 
+/// What no blade can be of all that key blades tell.
+Result<void> lookAtKeys(Evaluation& e, const Evaluation* previous, const RunContext& context) {
+  const std::vector<Source>& sources = e.design.sources;
+  e.told.resize(sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::optional<DesignedSurface>& surface = sources[i].surface;
+    const BladesSurface* blades = surface ? std::get_if<BladesSurface>(&surface->shape) : nullptr;
+    if (!blades) continue;
+    const Result<void> ok = settle(
+        e.told[i], previous && i < previous->told.size() ? &previous->told[i] : nullptr,
+        {surface, e.design.blade.minRadius()}, {}, e.seconds.check,
+        [&](const ToldRequest& request, Findings& findings) {
+          Result<std::vector<ToldStretch>> stretches = toldStretches(*blades, request.minRadius, context);
+          if (stretches) findings = toldFindings(*surface, *stretches, request.minRadius);
+          return stretches;
+        });
+    if (!ok) return ok;
+  }
+  return {};
+}
+
 /// The blocks of a design and their cuts, nothing of them evaluated.
 std::vector<BlockEvaluation> listed(const Design& design) {
   std::vector<BlockEvaluation> blocks;
@@ -381,6 +402,12 @@ const CutEvaluation* Evaluation::find(const std::string& id) const {
 Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    Findings own = told[i].findings;
+    if (design.sources.size() > 1)
+      for (Finding& finding : own) std::get<ToldBlades>(finding.cause).source = design.sources[i].id;
+    append(all, own);
+  }
   append(all, missed);
   for (const BlockEvaluation& block : blocks)
     for (const CutEvaluation& cut : block.cuts) {
@@ -415,6 +442,8 @@ void Evaluation::takeMissing(const Evaluation& before) {
   takeMissing(source, before.source);
   further.resize(std::max(further.size(), before.further.size()));
   for (std::size_t i = 0; i < before.further.size(); ++i) takeMissing(further[i], before.further[i]);
+  told.resize(std::max(told.size(), before.told.size()));
+  for (std::size_t i = 0; i < before.told.size(); ++i) takeMissing(told[i], before.told[i]);
   takeMissing(faceMesh, before.faceMesh);
   takeMissing(joints, before.joints);
   takeMissing(cell, before.cell);
@@ -476,6 +505,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (!ok) return stop(ok.error());
   e.blocks = listed(design);
   if (ok = readSources(e, previous, context); !ok) return stop(ok.error());
+  if (ok = lookAtKeys(e, previous, context); !ok) return stop(ok.error());
   if (context.stopped()) return stop(stoppedError().value());
   e.sourceFindings = changedSource(design.source(), e.source.value->content);
 

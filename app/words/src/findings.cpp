@@ -21,6 +21,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::outOfPlane, "out-of-plane"},
                                                           {FindingKind::coverage, "coverage"},
                                                           {FindingKind::crossing, "crossing"},
+                                                          {FindingKind::keyBlades, "key-blades"},
                                                           {FindingKind::certainty, "certainty"},
                                                           {FindingKind::entry, "entry"},
                                                           {FindingKind::lead, "lead"},

@@ -321,6 +321,31 @@ std::string Sentences::operator()(const BladeCrosses& cause) const {
          (blade ? "try one of " + mm(blade->length, 6) : std::string(kInParts));
 }
 
+std::string Sentences::operator()(const ToldBlades& cause) const {
+  using Fault = ToldBlades::Fault;
+  const auto place = [](double y) { return shortText(y, 4); };
+  std::string text =
+      (cause.source.empty() ? "" : cause.source + ": ") + std::string("at y = ") + place(cause.from);
+  if (place(cause.to) != place(cause.from)) text += " to " + place(cause.to);
+  text += " mm the key blades tell shapes ";
+  switch (cause.fault) {
+    case Fault::unstable:
+      text += "in which no blade rests: it would snap out of them";
+      break;
+    case Fault::tight:
+      text += "that bend to a radius of " + mm(cause.radius) + ", which this blade may only down to " +
+              mm(cause.limit);
+      break;
+    case Fault::crossing:
+      text += "that cross themselves";
+      break;
+  }
+  if (place(cause.worst) != place(cause.from) || place(cause.to) != place(cause.from))
+    text += ", worst at y = " + place(cause.worst);
+  text += "; ease the key blades beside it, or add one there that a blade can be";
+  return remedyOf<BendingBlade>(finding.remedies) ? text + "; else " + takesText(finding) : text;
+}
+
 std::string Sentences::operator()(const TargetsCrowd& cause) const {
   return (cause.count == 1 ? "a target of the program follows"
                            : std::to_string(cause.count) + " targets of the program follow") +

@@ -36,6 +36,7 @@ struct Sentences {
   std::string operator()(const TooFar& cause) const;
   std::string operator()(const Uncovered& cause) const;
   std::string operator()(const BladeCrosses& cause) const;
+  std::string operator()(const ToldBlades& cause) const;
   std::string operator()(const TargetsCrowd& cause) const;
   std::string operator()(const LeadGrown& cause) const;
   std::string operator()(const OtherShape& cause) const;

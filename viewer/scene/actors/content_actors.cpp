@@ -17,6 +17,8 @@ namespace {
 constexpr double kSurrounding = 0.10;  ///< opacity of the faces around a result
 constexpr double kSurroundingEdges = 0.3;
 
+constexpr double kMarkWidth = 2.5;  ///< device-independent pixels
+
 /// How far behind the cut the target is drawn, in diagonals: so much that even at a glancing sight, which
 /// stretches the distance of the two, no shard of it comes through.
 constexpr double kLeastSetBack = 0.1, kMostSetBack = 0.3;
@@ -132,14 +134,45 @@ void FaceActors::update(const Style& style, double behind, double line) {
   edges_.setDepthShift(line);
 }
 
+ToldActors::ToldActors(Layers& layers) {
+  lines_.setFlat();
+  layers.add(Layer::stations, lines_);
+}
+
+void ToldActors::setContent(const std::map<ItemId, const ToldMarks*>& marks) {
+  marks_ = marks;
+  drawn_.clear();
+  lines_.clear();
+}
+
+void ToldActors::setStyle(const Style& style, const Rgb& background) {
+  std::vector<const ToldMarks*> seen;
+  for (const auto& [id, marks] : marks_)
+    if (style.of(Kind::told, id).visible) seen.push_back(marks);
+  if (seen != drawn_) {
+    drawn_ = std::move(seen);
+    std::vector<Polyline> lines;
+    for (const ToldMarks* marks : drawn_) lines.insert(lines.end(), marks->lines.begin(), marks->lines.end());
+    lines_.setLines(lines);
+  }
+  lines_.setVisible(!drawn_.empty());
+  lines_.setLine(theme(false).warning, kMarkWidth * style.pixelRatio);
+  lines_.setFade(keptColor(style.stale), background);
+}
+
 ContentActors::ContentActors(Layers& layers)
-    : layers_(layers), faces_(layers), isolineLabels_(layers), plane_(vtkSmartPointer<vtkPlane>::New()) {}
+    : layers_(layers),
+      faces_(layers),
+      told_(layers),
+      isolineLabels_(layers),
+      plane_(vtkSmartPointer<vtkPlane>::New()) {}
 
 void ContentActors::setContent(const Things& things, double diagonal, bool targetAfar) {
   things_ = &things;
   diagonal_ = diagonal;
   targetAfar_ = targetAfar;
   faces_.setContent(things.faces);
+  told_.setContent(things.told);
   share(layers_, targets_, things.targets);
   share(layers_, cuts_, things.rows);
   share(layers_, stations_, things.rows, diagonal);
@@ -150,6 +183,7 @@ void ContentActors::replace(const Things::Changes& changes, double diagonal, boo
   const bool larger = diagonal != diagonal_;
   diagonal_ = diagonal;
   targetAfar_ = targetAfar;
+  told_.setContent(things_->told);
   for (const std::size_t i : changes.targets) targets_[i].setContent(&things_->targets[i]);
   for (const std::size_t i : changes.rows) cuts_[i].setContent(&things_->rows[i]);
   for (std::size_t i = 0; i < things_->rows.size(); ++i) {
@@ -188,6 +222,8 @@ void ContentActors::setStyle(const Style& style, const Rgb& background) {
   }
   faces_.setStyle(style, background);
   cutOpen(faces_);
+  told_.setStyle(style, background);
+  cutOpen(told_);
   for (StationLines& stations : stations_) {
     stations.setStyle(style, background);
     cutOpen(stations);
@@ -229,6 +265,7 @@ void ContentActors::update(const Style& style, double depthPerMillimetre, double
   const double line = -depthPerMillimetre * size;
   for (TargetActors& target : targets_) target.update(targetBehind, line);
   faces_.update(style, targetBehind, line);
+  told_.update(line);
   std::size_t triangles = 0;
   for (const Row& row : things_->rows)
     if (row.covered(style)) triangles += row.mesh.triangles.size();

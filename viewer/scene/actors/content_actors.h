@@ -8,6 +8,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -66,6 +67,24 @@ class FaceActors {
   int lit_ = -1;
 };
 
+/// Blades that are told but that no blade can be, over the surface, in the colour of warnings.
+class ToldActors {
+ public:
+  explicit ToldActors(Layers& layers);
+  /// All that it draws.
+  std::array<Part*, 1> parts() { return {&lines_}; }
+  /// The marks stay where they are until the next call.
+  void setContent(const std::map<ItemId, const ToldMarks*>& marks);
+  void setStyle(const Style& style, const Rgb& background);
+  /// `line` is the depth shift that brings a line before the surface that it lies on.
+  void update(double line) { lines_.setDepthShift(1.5 * line); }
+
+ private:
+  Part lines_;
+  std::map<ItemId, const ToldMarks*> marks_;
+  std::vector<const ToldMarks*> drawn_;
+};
+
 /// The items of a scene as VTK actors. There are at least as many actors as items of a sort; the rest wait,
 /// hidden, for a content that has more.
 class ContentActors {
@@ -104,6 +123,7 @@ class ContentActors {
   std::deque<StationLines> stations_;
   std::deque<BlockActors> blocks_;
   FaceActors faces_;
+  ToldActors told_;
   IsolineLabels isolineLabels_;
   vtkSmartPointer<vtkPlane> plane_;  ///< of the section
   const Things* things_ = nullptr;

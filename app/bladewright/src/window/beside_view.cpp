@@ -48,8 +48,8 @@ QLabel* makeHead(QWidget* parent) {
 /// The target alone, in its block.
 scene::Content targetOf(const scene::Content& content) {
   scene::Content target = content;
-  for (const Kind kind :
-       {Kind::cut, Kind::station, Kind::blade, Kind::part, Kind::crease, Kind::face, Kind::travel})
+  for (const Kind kind : {Kind::cut, Kind::station, Kind::blade, Kind::part, Kind::crease, Kind::face,
+                          Kind::travel, Kind::told})
     target.remove(kind);
   return target;
 }

@@ -178,6 +178,7 @@ QWidget* MapBar::makeLayers() {
   line(tr("Block"), shows<Kind::block>, Kind::block);
   line(tr("Part of several cuts"), shows<Kind::part>);
   line(tr("Creases between cuts"), shows<Kind::crease>);
+  line(tr("Key blades that none can be"), shows<Kind::told>);
   line(tr("Stations"), shows<Kind::station>);
   line(tr("Whole blades"), shows<Kind::blade>);
   line(tr("Ground grid"), switchOf<&scene::Style::showGrid>);

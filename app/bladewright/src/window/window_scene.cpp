@@ -166,6 +166,9 @@ void MainWindow::hideObjects(scene::Style& style) const {
   }
   for (const auto& [mesh, surface] : targets)
     if (!surface.seen) hide(surface.id, {target});
+  const std::vector<Source>& sources = shown->design.sources;
+  for (int i = 0; i < int(sources.size()); ++i)
+    if (bench_.hidden({Object::Kind::surface, sources[std::size_t(i)].id})) hide({-1, i}, {told});
 }
 
 void MainWindow::refreshStyle() {
@@ -181,6 +184,8 @@ void MainWindow::refreshStyle() {
   style.marker = marker_;
   // Where surfaces that follow a hand meet is not measured.
   if (bench_.sketch()) style[scene::Kind::crease].opacity = kUnmeasured;
+  // What key blades under a hand tell is not looked at.
+  if (bench_.sketch()) style[scene::Kind::told].visible = false;
   hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);

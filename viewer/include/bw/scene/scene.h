@@ -33,7 +33,7 @@ struct ItemId {
 using Polyline = std::vector<Eigen::Vector3d>;
 
 /// What a thing is.
-enum class Kind { none, target, cut, station, blade, block, face, travel, part, crease };
+enum class Kind { none, target, cut, station, blade, block, face, travel, part, crease, told };
 
 /// A cut surface with its fields.
 struct CutSurface {
@@ -75,10 +75,16 @@ struct Creases {
   std::vector<std::vector<double>> off = {};
 };
 
+/// Blades that are told but that no blade can be, by their surface as `cut` of their id: marked over it.
+struct ToldMarks {
+  std::vector<Polyline> lines;
+};
+
 /// A thing in the picture.
 struct Item {
   ItemId id;
-  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel, FoamPart, Creases>
+  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel, FoamPart, Creases,
+               ToldMarks>
       data;  ///< in the order of Kind
   Kind kind() const { return Kind(data.index() + 1); }
 };
@@ -155,7 +161,7 @@ struct Style {
   /// How one thing is shown: as `items` says, otherwise as its kind is.
   const Look& of(Kind kind, const ItemId& id) const;
 
-  std::array<Look, std::size_t(Kind::crease) + 1> kinds;
+  std::array<Look, std::size_t(Kind::told) + 1> kinds;
   std::map<std::pair<Kind, ItemId>, Look> items;  ///< of any kind but faces
   bool dark = false;
   bool isolines = false;

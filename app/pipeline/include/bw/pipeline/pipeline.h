@@ -14,6 +14,7 @@
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
 #include "bw/core/parts/crease.h"
+#include "bw/core/shape/told_stretches.h"
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
@@ -181,6 +182,8 @@ struct Evaluation {
   Findings sourceFindings;  ///< whether the linked source is another than when the design was saved
   Stage<SourceRequest, CadSource> source;                ///< the first
   std::vector<Stage<SourceRequest, CadSource>> further;  ///< the others
+  /// Of each source that key blades tell, what of all their travel no blade can be; of others nothing.
+  std::vector<Stage<ToldRequest, std::vector<ToldStretch>>> told;
   Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
   std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);  ///< those that the surface meets
   Findings missed;                                                        ///< what blocks it does not meet

@@ -42,6 +42,13 @@ struct SourceRequest {
   bool operator==(const SourceRequest&) const = default;
 };
 
+/// What key blades tell, and how sharp a blade may bend.
+struct ToldRequest {
+  std::optional<DesignedSurface> surface = std::nullopt;
+  double minRadius = 0;  ///< mm
+  bool operator==(const ToldRequest&) const = default;
+};
+
 /// How many planes a tolerance asks for.
 struct CountRequest {
   geometry::Setup setup;

@@ -40,6 +40,7 @@ enum class FindingKind {
   deviation,
   coverage,
   crossing,
+  keyBlades,
   certainty,
   entry,
   lead,
@@ -204,6 +205,18 @@ struct Uncovered {
 struct BladeCrosses {
   static constexpr FindingKind kind = FindingKind::crossing;
   bool itself = true;
+};
+/// Over a stretch of their travel key blades tell shapes that no blade can have, mm of their y.
+struct ToldBlades {
+  static constexpr FindingKind kind = FindingKind::keyBlades;
+  enum class Fault {
+    unstable,  ///< it would snap out of them
+    tight,     ///< they bend sharper than it may: `radius` at the worst, `limit` allowed
+    crossing   ///< they cross themselves
+  } fault = Fault::unstable;
+  double from = 0, to = 0, worst = 0;
+  double radius = 0, limit = 0;
+  std::string source = {};  ///< its id, where there are several
 };
 /// Between the same grips the blade rests in another shape as well, which is not clearly higher.
 struct OtherShape {
@@ -522,11 +535,11 @@ using Cause =
     std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
                  LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
                  GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
-                 BladeCrosses, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise,
-                 LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors,
-                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
-                 SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
-                 NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
+                 BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
+                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths,
+                 GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+                 SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
+                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
                  ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled,
                  BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell,
                  WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
