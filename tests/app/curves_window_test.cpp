@@ -215,6 +215,65 @@ TEST_F(CurvesInTheWindow, TheLayerOfADrawingIsChosen) {
   EXPECT_EQ(layer->count(), 4);
 }
 
+TEST_F(CurvesInTheWindow, AreReadAgainWhenTheDrawingChanges) {
+  const std::vector<geometry::NamedCurve> roof = {section(0), section(400), section(800)};
+  std::vector<geometry::NamedCurve> all = roof;
+  all.push_back(section(100, "ceiling", 60));
+  all.push_back(section(700, "ceiling", 60));
+  const std::string circle = "0\nCIRCLE\n8\nholes\n10\n0\n20\n0\n40\n5\n";
+  ASSERT_TRUE(open("walls.dxf", dxf(all, circle)));
+  ASSERT_TRUE(settle());
+  choose(*find<ChoiceField>("Layer"), 1);
+  ASSERT_EQ(sections(), 2u);
+  bench().editDesign("Length", [](Design& design) { design.blade.length = 1200; });
+  ASSERT_TRUE(settle());
+  const Design before = bench().design();
+  const auto told = [&](const QString& words) {
+    return QTest::qWaitFor(
+        [&] { return window().banner().isVisible() && window().banner().text().contains(words); }, kPatience);
+  };
+  const auto save = [&](const std::string& bytes) {
+    ASSERT_TRUE(writeFile(path("walls.tmp"), bytes));
+    fs::rename(path("walls.tmp"), path("walls.dxf"));
+  };
+  // A section more on the layer that was chosen.
+  all.push_back(section(400, "ceiling", 90));
+  save(dxf(all, circle));
+  ASSERT_TRUE(told("walls.dxf has changed on disk and was read again at"))
+      << window().banner().text().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(sections(), 3u);
+  EXPECT_EQ(find<ChoiceField>("Layer")->currentText(), "ceiling: 3 curves");
+  EXPECT_EQ(bench().design().blade.length, 1200) << "what was set by hand stays";
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Read walls.dxf again");
+  picture("curves-read-again");
+  const Design after = bench().design();
+  // What is no drawing, or half of one, changes nothing.
+  const std::string whole = dxf(all, circle);
+  for (const std::string& bytes : {std::string("no drawing"), whole.substr(0, whole.size() / 2)}) {
+    window().banner().outdate(Topic::source);
+    save(bytes);
+    ASSERT_TRUE(told("cannot be used as it is now")) << window().banner().text().toStdString();
+    EXPECT_EQ(bench().design(), after);
+  }
+  fs::remove(path("walls.dxf"));
+  ASSERT_TRUE(told("walls.dxf is no longer there; the design holds its surface"));
+  EXPECT_EQ(bench().design(), after);
+  // The step is undone as any other; then the surface is one that a person chose.
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(find<ChoiceField>("Layer")->currentText(), "Changed since");
+  save(whole);
+  ASSERT_TRUE(told("was changed here since")) << window().banner().text().toStdString();
+  EXPECT_EQ(bench().design(), before);
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  ASSERT_TRUE(told("was read again at"));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().design(), after) << "the block and the travel follow, too";
+}
+
 TEST_F(CurvesInTheWindow, ADrawingOfOneLayerHasNoneToChoose) {
   ASSERT_TRUE(open("roof.dxf", dxf({section(0), section(800)})));
   ASSERT_TRUE(settle());

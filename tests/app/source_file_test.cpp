@@ -33,6 +33,24 @@ class SourceFile : public WindowTest {
         [&] { return window().banner().isVisible() && window().banner().text().contains(word); }, kPatience);
   }
 
+  std::string banner() { return window().banner().text().toStdString(); }
+
+  /// All that the labels of the workflow say.
+  QString facts() {
+    QString all;
+    for (const QLabel* label : window().workflow().findChildren<QLabel*>())
+      if (label->isVisible()) all += label->text() + "\n";
+    return all;
+  }
+
+  QLabel* labelWith(const QString& words) {
+    for (QLabel* label : window().workflow().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(words)) return label;
+    return nullptr;
+  }
+
+  QCheckBox* followBox() { return window().findChild<QCheckBox*>("followFile"); }
+
   QPushButton* inputButton(const QString& text) {
     for (QPushButton* b : window().workflow().findChildren<QPushButton*>())
       if (b->text() == text) return b;
@@ -63,6 +81,7 @@ TEST_F(SourceFile, IsReplacedUnderTheSameSettings) {
 }
 
 TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
+  bench().setFollowsFile(false);
   const double before = width();
   ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
   ASSERT_TRUE(told("roof.step has changed on disk"));
@@ -84,6 +103,7 @@ TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
 }
 
 TEST_F(SourceFile, ThatChangedIsReadWhereItIsChosenOnceMore) {
+  bench().setFollowsFile(false);
   const double before = width();
   window().questions().openSurface = [&] { return QString::fromStdString(source().string()); };
   ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
@@ -93,6 +113,101 @@ TEST_F(SourceFile, ThatChangedIsReadWhereItIsChosenOnceMore) {
   EXPECT_NE(width(), before) << "the warning went, the old surface stayed";
   EXPECT_FALSE(window().banner().isVisible());
   EXPECT_EQ(bench().document().undoStack().count(), 1) << "the design is the same";
+}
+
+TEST_F(SourceFile, ThatChangesIsReadAgainByItself) {
+  const double before = width();
+  const Design design = bench().design();
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk and was read again at ")) << banner();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  const double other = width();
+  EXPECT_NE(other, before);
+  EXPECT_EQ(bench().design(), design) << "what is not saved stays";
+  EXPECT_TRUE(bench().document().modified());
+  EXPECT_TRUE(facts().contains("Read again at " + bench().readAgainAt().toString("HH:mm:ss")))
+      << facts().toStdString();
+  ASSERT_TRUE(followBox() && followBox()->isVisible() && followBox()->isChecked());
+  window().workflow().ensureWidgetVisible(followBox());
+  const QLabel* line = labelWith("Read again at");
+  ASSERT_TRUE(line);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return line->height() >= line->heightForWidth(line->width()); }, kPatience))
+      << "its lines are cut off";
+  picture("source-read-again");
+  // The history is that of the person alone: it leads back over the settings, on what was read last.
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(bench().design().cut().sections.stations, 17);
+  EXPECT_EQ(width(), other);
+  bench().document().undoStack().redo();
+  ASSERT_TRUE(settle());
+  // Written in place, and once more renamed over it.
+  const auto readAgain = [&](double wanted) {
+    return QTest::qWaitFor([&] { return !bench().runner().busy() && bench().current() && width() == wanted; },
+                           kPatience);
+  };
+  std::ofstream(source()) << geometry::exampleStep("saddle").value();
+  EXPECT_TRUE(readAgain(before));
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  EXPECT_TRUE(readAgain(other));
+  EXPECT_EQ(bench().document().undoStack().count(), 1);
+}
+
+TEST_F(SourceFile, ThatIsNoSurfaceOrHalfOfOneIsToldAndTheDesignStays) {
+  const double before = width();
+  const Design design = bench().design();
+  const std::string whole = geometry::exampleStep("panel-600x670").value();
+  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), std::string("no surface at all\n")}) {
+    window().banner().outdate(Topic::source);
+    ASSERT_NO_FATAL_FAILURE(saveByRename(bytes));
+    ASSERT_TRUE(told("cannot be used as it is now")) << banner();
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(bench().current()) << "the result was lost";
+    EXPECT_EQ(width(), before);
+    EXPECT_EQ(bench().design(), design);
+    for (const Message& message : bench().messages()) EXPECT_NE(message.severity, Severity::error);
+  }
+  picture("source-unreadable");
+  EXPECT_EQ(window().banner().action()->text(), "Try again");
+  ASSERT_NO_FATAL_FAILURE(saveByRename(whole));
+  ASSERT_TRUE(told("was read again at")) << banner();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before);
+  EXPECT_EQ(window().banner().notices().size(), 1u) << "what was told before no longer holds";
+}
+
+TEST_F(SourceFile, ThatVanishesIsToldAndReadWhenItIsThereAgain) {
+  const double before = width();
+  fs::remove(source());
+  ASSERT_TRUE(told("is no longer there")) << banner();
+  EXPECT_TRUE(bench().current());
+  EXPECT_EQ(width(), before);
+  ASSERT_TRUE(writeFile(source(), geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("was read again at")) << banner();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before);
+  EXPECT_EQ(bench().design().cut().sections.stations, 17);
+}
+
+TEST_F(SourceFile, IsLeftWhereTheSwitchIsOff) {
+  const double before = width();
+  ASSERT_TRUE(followBox());
+  window().workflow().ensureWidgetVisible(followBox());
+  QTest::mouseClick(followBox(), Qt::LeftButton, {}, QPoint(8, followBox()->height() / 2));
+  EXPECT_FALSE(bench().followsFile());
+  EXPECT_FALSE(model::Settings().followsFile()) << "it is remembered";
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk.")) << banner();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(width(), before);
+  // What waits is read as the switch goes on.
+  QTest::mouseClick(followBox(), Qt::LeftButton, {}, QPoint(8, followBox()->height() / 2));
+  ASSERT_TRUE(told("was read again at")) << banner();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before);
+  EXPECT_EQ(window().banner().notices().size(), 1u);
 }
 
 TEST_F(SourceFile, ThatIsOnlyTouchedIsNotTold) {
@@ -185,6 +300,7 @@ TEST_F(SourceFile, ThatMovedIsLocatedByTheNoticeAlone) {
 }
 
 TEST_F(SourceFile, ThatLiesElsewhereIsBroughtIntoThePicture) {
+  bench().setFollowsFile(false);
   const view::SceneView& view = window().sceneView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
   const scene::Camera before = view.camera();

@@ -101,6 +101,10 @@ void Settings::setHandles(const HandleHabits& habits) {
   store("handles/meeting", habits.meeting);
 }
 
+bool Settings::followsFile() const { return store_.value("follow-file", true).toBool(); }
+
+void Settings::setFollowsFile(bool on) { store("follow-file", on); }
+
 QByteArray Settings::layout(const QString& part) const {
   return store_.value("layout/" + part).toByteArray();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/drawn_design.h"
 
 namespace bw::app {
@@ -18,17 +20,25 @@ namespace bw::app {
 struct Drawing {
   using Layer = std::optional<std::string>;  ///< its name; empty: all layers together
 
-  std::string file;  ///< its name
-  std::shared_ptr<const pipeline::DrawnCurves> curves;
+  std::string file;                 ///< its name
+  Fingerprint content = {};         ///< of what was read of it
+  std::filesystem::path path = {};  ///< where it lies
+  std::shared_ptr<const pipeline::DrawnCurves> curves = {};
   std::vector<pipeline::DrawnLayer> layers = {};  ///< of a DXF file; empty for other ones
   std::vector<Layer> taken = {};                  ///< what each of those was made of
   std::vector<pipeline::DrawnDesign> made = {};
   std::string whyOne = {};  ///< why one layer was taken to begin with, where all together give no surface
+  Layer chosen = {};        ///< which of them was taken last
+  std::vector<pipeline::DrawnDesign> earlier = {};  ///< what was made of the file before it changed
 
   /// The design of a layer, made unless it was. Errors: those of `designThrough`.
   Result<pipeline::DrawnDesign> make(const Layer& layer, const RunContext& context) const;
-  /// Notes what was made of a layer.
+  /// Notes what was made of a layer, which is the one taken last.
   void add(const Layer& layer, pipeline::DrawnDesign design);
+  /// All that was made of the file, before it changed and since.
+  std::vector<pipeline::DrawnDesign> all() const;
+  /// A design with the surface of what was made next; of the rest, what a hand has set stays.
+  Design onto(const Design& design, const pipeline::DrawnDesign& next) const;
   /// The layer that a surface was made of; nothing where it is none of those made.
   std::optional<Layer> layerOf(const std::optional<DesignedSurface>& surface) const;
 };
@@ -37,5 +47,9 @@ struct Drawing {
 /// surface, of the layer with the most curves that does. Errors: those of `drawnCurves`, and of
 /// `designThrough` for all together.
 Result<Drawing> readDrawing(const std::string& bytes, const std::string& file, const RunContext& context);
+
+/// The same of one layer. Errors: those of `drawnCurves` and of `designThrough`.
+Result<Drawing> readDrawing(const std::string& bytes, const std::string& file, const Drawing::Layer& layer,
+                            const RunContext& context);
 
 }  // namespace bw::app

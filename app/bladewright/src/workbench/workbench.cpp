@@ -32,7 +32,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&document_, &model::Document::replaced, this, &Workbench::onReplaced);
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
   connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
-  connect(&watch_, &model::SourceWatch::changed, this, &Workbench::tellSourceChanged);
+  connect(&watch_, &model::SourceWatch::changed, this, &Workbench::onSourceChanged);
   connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
   connect(&watch_, &model::SourceWatch::back, this, [this] { emit noticesOutdated(Topic::source); });
   // Whether the file can be read again or is to be located follows from what lies on the disk.
@@ -72,6 +72,10 @@ void Workbench::onReplaced() {
   judgedSize_.reset();
   sourceTold_ = false;
   readSource_.reset();
+  readPath_.clear();
+  readAgainAt_ = {};
+  sourceChanged_ = false;
+  ++sourceReadings_;
   messages_.clear();
   exportFindings_.clear();
   exported_.clear();

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTime>
 
 #include <filesystem>
 #include <functional>
@@ -175,10 +176,19 @@ class Workbench : public QObject {
   /// True if the design is linked to a file that is not there.
   bool sourceMissing() const;
   bool canReload() const;
+  /// True if the design was made from curves of a file that is known since it was opened.
+  bool fromDrawing() const { return drawing_ && design().source().surface; }
+  /// Whether that file, or the CAD file that the design is linked to, is read again by itself when it
+  /// changes; remembered between starts.
+  bool followsFile() const { return settings_.followsFile(); }
+  void setFollowsFile(bool on);
+  /// When a file that had changed was last read again; invalid if none was since the design was opened.
+  const QTime& readAgainAt() const { return readAgainAt_; }
   /// Another CAD file under the same settings, as one undoable step named `text`; it is embedded if the one
   /// before was.
   Result<void> replaceSource(const std::filesystem::path& file, const QString& text);
-  /// Reads the CAD file again; a copy in the design is replaced, as an undoable step.
+  /// Reads the file again; a copy in the design is replaced, and so is the surface made of a drawing, as an
+  /// undoable step.
   void reloadSource();
   /// Looks whether the CAD file changed, where no message about it comes (network drives).
   void lookAtSource() { watch_.look(); }
@@ -299,6 +309,16 @@ class Workbench : public QObject {
   /// Asks whether the unit is right where the size of a target can hardly be meant.
   void judgeSize();
   void followSource();
+  /// The file at work: that of the drawing, or the CAD file.
+  std::filesystem::path watchedFile() const;
+  void onSourceChanged();
+  /// Reads the file beside the design first, which stays as it is where that fails. `asked`: by a person, who
+  /// gives up what a hand has changed of the surface of a drawing.
+  void readLinkedAgain();
+  void readDrawingAgain(bool asked);
+  void endDrawing(Drawing next, const Drawing::Layer& layer, bool asked);
+  void tellReadAgain(const QString& more = {});
+  void tellUnreadable(const Error& error, const std::function<void()>& again);
   void tellSourceChanged();
   void tellSourceGone();
   void noteSourceRead();
@@ -314,7 +334,11 @@ class Workbench : public QObject {
   std::optional<Drawing> drawing_;  ///< of the open design, as long as it is open
   std::function<bool()> mayLeave_;
   std::shared_ptr<const pipeline::CadSource> readSource_;  ///< of the newest result that has one
-  bool sourceTold_ = false;  ///< that the source is another than when the design was saved
+  std::filesystem::path readPath_;                         ///< of that
+  bool sourceTold_ = false;     ///< that the source is another than when the design was saved
+  bool sourceChanged_ = false;  ///< it is told that the file changed
+  int sourceReadings_ = 0;      ///< of files that changed: an earlier one is outdated by the next
+  QTime readAgainAt_;
   std::shared_ptr<const pipeline::Evaluation> toldShown_, toldNewest_;  ///< of the last change
   Selection selection_;
   double playTime_ = 0;

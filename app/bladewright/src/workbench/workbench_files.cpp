@@ -22,6 +22,12 @@ namespace {
 /// A CAD file up to this size is looked at before it is opened, which takes some 10 ms.
 constexpr std::uintmax_t kReadAtOnce = 4'000'000;  // bytes
 
+fs::path absoluteOf(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  return error ? file : absolute;
+}
+
 }  // namespace
 
 Error Workbench::noFile(const fs::path& file) {
@@ -59,11 +65,9 @@ Result<void> Workbench::openFile(const fs::path& file) {
 }
 
 void Workbench::startFaces(const fs::path& file) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(file, error);
   Design design;
   design.name = file.stem().string();
-  design.source().path = error ? file : absolute;
+  design.source().path = absoluteOf(file);
   if (Result<Blade> blade = bladePreset(design.blade.name)) design.blade = *blade;
   document_.start(std::move(design));
 }
@@ -142,7 +146,11 @@ void Workbench::openDrawing(Reading& read) {
     told += tr(" All its layers were taken; Input ▸ Layer takes one.");
   document_.start(drawn.design);
   drawing_ = std::move(read.drawing);
+  drawing_->path = absoluteOf(read.file);
   tell(Topic::file, Severity::info, told);
+  // What was written while it was read is told now.
+  followSource();
+  watch_.accept(drawing_->content);
   // Who heard of the design did not know the drawing yet.
   tellChanged(Aspect::design);
 }
@@ -162,13 +170,15 @@ void Workbench::takeLayer(const Drawing::Layer& layer) {
         *made = std::move(*design);
         return {};
       },
-      [this, made, layer, name, opened = opened_](const Result<void>& done) {
+      [this, made, layer, name, opened = opened_, curves = drawing_->curves](const Result<void>& done) {
         if (opened != opened_) return;
+        // The file was read again meanwhile: its curves are others.
+        if (curves != drawing_->curves) return takeLayer(layer);
         if (!done) {
           if (done.error().code != ErrorCode::cancelled) tell(Topic::file, done.error());
           return tellChanged(Aspect::design);  // the field shows what is there
         }
-        const Design changed = pipeline::withDrawn(design(), drawing_->made, **made);
+        const Design changed = drawing_->onto(design(), **made);
         drawing_->add(layer, **made);
         editDesign(name, [&changed](Design& design) { design = changed; });
         if (design() != changed) return;  // something of it is locked, which is told

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 // The CAD file that the open design is made from: replaced, read again, looked for, watched.
 #include <system_error>
+#include <utility>
 
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/printable.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -24,9 +26,14 @@ bool Workbench::sourceMissing() const {
          !fs::is_regular_file(source.path, error);
 }
 
+fs::path Workbench::watchedFile() const {
+  if (document_.empty()) return {};
+  return fromDrawing() ? drawing_->path : sourceFile();
+}
+
 bool Workbench::canReload() const {
   std::error_code error;
-  return !document_.empty() && fs::is_regular_file(sourceFile(), error);
+  return !document_.empty() && fs::is_regular_file(watchedFile(), error);
 }
 
 Result<void> Workbench::replaceSource(const fs::path& file, const QString& text) {
@@ -60,24 +67,146 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
 
 void Workbench::reloadSource() {
   if (!canReload()) return;
+  if (fromDrawing()) return readDrawingAgain(true);
   static_cast<void>(replaceSource(sourceFile(), tr("Reload surface")));
 }
 
 void Workbench::outdateSource() {
-  sourceTold_ = false;
+  sourceTold_ = sourceChanged_ = false;
   emit noticesOutdated(Topic::source);
 }
 
-void Workbench::followSource() { watch_.watch(document_.empty() ? fs::path() : sourceFile()); }
+void Workbench::followSource() { watch_.watch(watchedFile()); }
+
+void Workbench::setFollowsFile(bool on) {
+  settings_.setFollowsFile(on);
+  if (followsFile() && sourceChanged_) onSourceChanged();
+  tellChanged(Aspect::state);
+}
+
+void Workbench::onSourceChanged() {
+  // A copy in the design is what the person keeps, and a surface that a hand has changed is theirs.
+  const Source& source = design().source();
+  const bool theirs = fromDrawing() ? !drawing_->layerOf(source.surface) : !source.bytes.empty();
+  if (!followsFile() || theirs) return tellSourceChanged();
+  fromDrawing() ? readDrawingAgain(false) : readLinkedAgain();
+}
+
+void Workbench::readLinkedAgain() {
+  const Source source = design().source();
+  runner_.submit(
+      tr("Reading %1").arg(QString::fromStdString(printable(source.path.filename().string()))),
+      [path = source.path, options = design().readOptions(source)](
+          const pipeline::Evaluation&, const RunContext& context) -> Result<void> {
+        const Result<geometry::CadModel> model = geometry::CadModel::read(path, context, options);
+        return model ? Result<void>() : tl::unexpected<Error>(model.error());
+      },
+      [this, source, reading = ++sourceReadings_](const Result<void>& done) {
+        // Another design, another file, or the next change of it took its place.
+        const Source& now = design().source();
+        if (reading != sourceReadings_ || now.path != source.path || now.surface || !now.bytes.empty())
+          return;
+        if (!done) return tellUnreadable(done.error(), [this] { readLinkedAgain(); });
+        judgedSize_.reset();
+        emit noticesOutdated(Topic::unit);
+        runner_.evaluate(document_.design());
+      },
+      model::EvaluationRunner::Needs::nothing);
+}
+
+void Workbench::readDrawingAgain(bool asked) {
+  const auto now = drawing_->layerOf(design().source().surface);
+  const Drawing::Layer layer = now ? *now : drawing_->chosen;
+  const auto next = std::make_shared<std::optional<Drawing>>();
+  runner_.submit(
+      tr("Reading %1").arg(QString::fromStdString(printable(drawing_->file))),
+      [next, layer, path = drawing_->path, file = drawing_->file](const pipeline::Evaluation&,
+                                                                  const RunContext& context) -> Result<void> {
+        const Result<std::string> bytes = readFile(path);
+        if (!bytes) return tl::unexpected<Error>(bytes.error());
+        Result<Drawing> drawing = readDrawing(*bytes, file, layer, context);
+        if (!drawing) return tl::unexpected<Error>(drawing.error());
+        *next = std::move(*drawing);
+        return {};
+      },
+      [this, next, layer, asked, path = drawing_->path,
+       reading = ++sourceReadings_](const Result<void>& done) {
+        if (reading != sourceReadings_ || !fromDrawing() || drawing_->path != path) return;
+        if (!done)
+          return tellUnreadable(done.error(), [this, asked] {
+            if (fromDrawing()) readDrawingAgain(asked);
+          });
+        endDrawing(std::move(**next), layer, asked);
+      },
+      model::EvaluationRunner::Needs::nothing);
+}
+
+void Workbench::endDrawing(Drawing next, const Drawing::Layer& layer, bool asked) {
+  // A hand may have been there meanwhile.
+  const auto now = drawing_->layerOf(design().source().surface);
+  if (!asked && !now) return tellSourceChanged();
+  if (now && *now != layer) return readDrawingAgain(asked);
+  const pipeline::DrawnDesign made = next.made.front();
+  const Design changed = drawing_->onto(design(), made);
+  const bool other = changed != design();
+  next.path = drawing_->path;
+  next.earlier = drawing_->all();
+  const Fingerprint content = next.content;
+  const Drawing before = std::exchange(*drawing_, std::move(next));
+  if (other)
+    editDesign(tr("Read %1 again").arg(QString::fromStdString(printable(before.file))),
+               [&changed](Design& design) { design = changed; });
+  if (design() != changed) {
+    // Something of it is locked, which is told.
+    *drawing_ = before;
+    return;
+  }
+  outdateSource();
+  tellReadAgain(other ? tr(" It is a step that undo takes back.") : tr(" Its surface is as it was."));
+  watch_.accept(content);
+  // Who heard of the design did not know the drawing yet.
+  tellChanged(Aspect::design);
+}
+
+void Workbench::tellReadAgain(const QString& more) {
+  readAgainAt_ = QTime::currentTime();
+  tell(Topic::source, Severity::info,
+       tr("The file %1 has changed on disk and was read again at %2; all settings stay.%3")
+           .arg(QString::fromStdString(printable(watch_.file().filename().string())),
+                readAgainAt_.toString(QStringLiteral("HH:mm:ss")), more));
+}
+
+void Workbench::tellUnreadable(const Error& error, const std::function<void()>& again) {
+  if (error.code == ErrorCode::cancelled) return tellSourceChanged();
+  sourceChanged_ = true;
+  tell({Severity::warning,
+        tr("The file %1 has changed on disk and cannot be used as it is now: %2. What was read of it before "
+           "stays; it "
+           "is "
+           "read again when it is saved next.")
+            .arg(QString::fromStdString(printable(watch_.file().filename().string())),
+                 QString::fromStdString(printable(error.message))),
+        tr("Try again"), again, Topic::source});
+}
 
 void Workbench::tellSourceChanged() {
-  tell({Severity::warning,
-        tr("The CAD file %1 has changed on disk.")
-            .arg(QString::fromStdString(sourceFile().filename().string())),
-        tr("Reload"), [this] { reloadSource(); }, Topic::source});
+  sourceChanged_ = true;
+  const QString name = QString::fromStdString(watch_.file().filename().string());
+  tell(
+      {Severity::warning,
+       fromDrawing() && !drawing_->layerOf(design().source().surface)
+           ? tr("The drawing %1 has changed on disk. The surface made of it was changed here since: a reload "
+                "takes its place.")
+                 .arg(name)
+           : tr("The CAD file %1 has changed on disk.").arg(name),
+       tr("Reload"), [this] { reloadSource(); }, Topic::source});
 }
 
 void Workbench::tellSourceGone() {
+  if (fromDrawing())
+    return tell(Topic::source, Severity::info,
+                tr("The drawing %1 is no longer there; the design holds its surface and goes on without it.")
+                    .arg(QString::fromStdString(watch_.file().string())));
   if (!sourceMissing()) return;  // the design holds a copy
   tell({Severity::warning,
         tr("The CAD file %1 is no longer there; the design needs it to be computed again.")
@@ -92,12 +221,20 @@ void Workbench::noteSourceRead() {
   const bool read = evaluation->source.value && evaluation->source.value != readSource_;
   const Source& source = evaluation->design.source();
   const bool watched = !source.surface && source.bytes.empty() && source.path == watch_.file();
+  const bool again = read && watched && followsFile() && readSource_ && readPath_ == source.path &&
+                     readSource_->content != evaluation->source.value->content;
   if (read) {
     readSource_ = evaluation->source.value;
+    readPath_ = source.path;
     document_.noteRead(evaluation->design.source().path, evaluation->source.value->content);
     if (watched) outdateSource();
   }
   if (evaluation->sourceFindings.empty() && sourceTold_) outdateSource();
+  if (again) {
+    // That it is another than when the design was saved stands among the messages.
+    sourceTold_ = !evaluation->sourceFindings.empty();
+    tellReadAgain();
+  }
   if (!evaluation->sourceFindings.empty() && !sourceTold_) {
     sourceTold_ = true;
     tell(Topic::source, Severity::warning,

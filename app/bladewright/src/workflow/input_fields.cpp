@@ -210,6 +210,15 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
       makeButton(tr("Locate…"), tr("Say where the CAD file is now"), this, &InputFields::locateRequested);
   for (QPushButton* button : {replace_, reload_, locate_}) buttons->addWidget(button);
   column->addWide(row);
+  follow_ = column->addCheck(
+      tr("Read again when it changes"),
+      tr("On: when the file changes on disk it is read again as soon as it is whole. Off: a line tells that "
+         "it changed, and Reload reads it."));
+  follow_->setObjectName("followFile");
+  connect(follow_, &QCheckBox::clicked, this, [this](bool on) {
+    bench_.setFollowsFile(on);
+    refreshState();
+  });
   unit_ = column->addLong(
       tr("Read as"),
       tr("The unit that the numbers of the file are taken in, and the size that the surface then has"));
@@ -315,6 +324,11 @@ void InputFields::refresh() {
     if (!info->healing.empty())
       facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info->healing.front()));
   }
+  const bool drawn = bench_.fromDrawing() && &bench_.source() == &design.source();
+  const QTime& again = bench_.readAgainAt();
+  if ((drawn || !surface) && again.isValid())
+    facts += (facts.isEmpty() ? QString() : QStringLiteral("\n")) +
+             tr("Read again at %1").arg(again.toString(QStringLiteral("HH:mm:ss")));
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
   showUnits(info, size);
@@ -331,9 +345,13 @@ void InputFields::refreshState() {
   const bool missing = bench_.sourceMissing(), there = bench_.canReload();
   replace_->setEnabled(!bench_.document().empty());
   reload_->setEnabled(there);
-  const bool designed = bench_.source().surface.has_value();
-  reload_->setVisible(!missing && !designed);
+  const bool drawn = bench_.fromDrawing() && &bench_.source() == &bench_.design().source();
+  const bool linked = !bench_.source().surface || drawn;
+  reload_->setVisible(!missing && linked);
   locate_->setVisible(missing);
+  // A copy in the design is the person's own.
+  follow_->setVisible(linked && (drawn || bench_.design().source().bytes.empty()));
+  follow_->setChecked(bench_.followsFile());
   embed_->setEnabled(!embed_->isChecked() || there);
 }
 

@@ -81,7 +81,7 @@ class InputFields : public QObject {
   QPushButton *replace_, *reload_, *locate_;
   ChoiceField* unit_;
   FaceFields* faces_;
-  QCheckBox* embed_;
+  QCheckBox *follow_, *embed_;
 };
 
 }  // namespace bw::app

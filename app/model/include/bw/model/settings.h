@@ -57,6 +57,10 @@ class Settings : public QObject {
   HandleHabits handles() const;
   void setHandles(const HandleHabits& habits);
 
+  /// Whether a linked file that changes is read again by itself; it is at first.
+  bool followsFile() const;
+  void setFollowsFile(bool on);
+
   QByteArray layout(const QString& part) const;
   void setLayout(const QString& part, const QByteArray& state);
 
