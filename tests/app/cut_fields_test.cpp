@@ -70,6 +70,58 @@ TEST_F(CutFieldsTest, HowTheBlockLiesIsEditedAndUndone) {
   EXPECT_EQ(chosen("On top, east"), 0);
 }
 
+TEST_F(CutFieldsTest, ACutHasABladeOfItsOwnLength) {
+  const Design before = bench().design();
+  const auto type = [&](const QString& text) {
+    auto* field = find<NumberField>("Own length");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    const bool taken = !field->refused();
+    if (!taken) QTest::keyClick(field, Qt::Key_Escape);
+    return taken;
+  };
+  ASSERT_TRUE(find<NumberField>("Own length"));
+  EXPECT_EQ(find<NumberField>("Own length")->text(), "");
+  choose("cut", 1);
+  EXPECT_TRUE(type("85 cm"));
+  EXPECT_EQ(bench().design().cuts[1].length, 850);
+  EXPECT_EQ(bench().design().cuts[0], before.cuts[0]);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().shown()->find("north")->sweep.value->request.blade.length, 850);
+  EXPECT_EQ(bench().shown()->find("east")->sweep.value->request.blade.length, 800);
+  // The table of cuts has it, too, once a cut has one.
+  auto* inTable = [&]() -> NumberField* {
+    for (auto* field : window().blockPanel().findChildren<NumberField*>("ownLength"))
+      if (field->accessibleName() == "Blade, north") return field;
+    return nullptr;
+  }();
+  ASSERT_TRUE(inTable);
+  EXPECT_EQ(inTable->value(), 850);
+  EXPECT_FALSE(inTable->isHidden());
+  window().commands()["tab.blocks"]->trigger();
+  picture("cuts-own-length");
+  choose("cut", 0);
+  EXPECT_EQ(find<NumberField>("Own length")->text(), "");
+  choose("cut", 1);
+  EXPECT_EQ(find<NumberField>("Own length")->text(), "850");
+  EXPECT_TRUE(type("=800 + 60"));
+  EXPECT_EQ(bench().cut().length, 860);
+  EXPECT_EQ(bench().design().bindings.at("/cuts/1/blade_length").text, "800 + 60");
+  EXPECT_EQ(parseDesign(designToJson(bench().design()))->bindings, bench().design().bindings);
+  for (const char* text : {"=0", "=5", "5", "=1e9", "=abc"}) EXPECT_FALSE(type(text)) << text;
+  EXPECT_EQ(bench().cut().length, 860);
+  // An empty field is that of the blade, and frees it.
+  EXPECT_TRUE(type(""));
+  EXPECT_FALSE(bench().cut().length);
+  EXPECT_TRUE(bench().design().bindings.empty() ||
+              !bench().design().bindings.contains("/cuts/1/blade_length"));
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+}
+
 TEST_F(CutFieldsTest, WhatIsLeftIsSeenWhenTheHandRests) {
   ASSERT_TRUE(settleInFull());
   ASSERT_TRUE(block().part.value && block().part.value->solid);

@@ -51,6 +51,7 @@ class EveryFieldTest : public WindowTest {
       const double length = design.blade.length;
       design.blade = bladePreset("steel-tube-3-2.5").value_or(design.blade);
       design.blade.length = length;
+      design.cut().length = length;
       design.cut().face.kind = FaceChoice::Kind::nearest;
     });
     base_ = 3;

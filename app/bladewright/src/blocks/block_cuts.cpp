@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "workflow/bound_number.h"
+#include "workflow/cut_length.h"
 
 namespace bw::app {
 
@@ -29,7 +30,8 @@ BlockCuts::BlockCuts(Workbench& bench, QWidget* parent)
       {tr("Keeps what is"), tr("The foam that stays, seen from the surface as the block lies")},
       {tr("Offset"),
        tr("How far the foam stands back from the surface, along its normals: for a layer on it, "
-          "or half of a panel between two moulds. Only for a cut alone in its block")}};
+          "or half of a panel between two moulds. Only for a cut alone in its block")},
+      {tr("Blade"), tr("The length of the blade for this cut alone; empty: that of the blade of all")}};
   for (const auto& [title, tip] : heads) {
     auto* label = new QLabel(title);
     label->setObjectName("secondary");
@@ -62,7 +64,7 @@ NumberField* BlockCuts::addOffset(const std::string& cut) {
   field->setBlank(tr("none"));
   field->setObjectName("offset");
   field->setAccessibleName(tr("Offset, %1").arg(QString::fromStdString(cut)));
-  field->setToolTip(heads_.back()->toolTip());
+  field->setToolTip(heads_[5]->toolTip());
   field->setFixedWidth(kWidth);
   connect(field, &NumberField::edited, this, [this, cut](double offset) {
     edit(cut, tr("Change offset"), [offset](Cut& own) { own.offset = offset; });
@@ -71,17 +73,26 @@ NumberField* BlockCuts::addOffset(const std::string& cut) {
   return field;
 }
 
+NumberField* BlockCuts::addLength(const std::string& cut) {
+  NumberField* field = makeCutLength(bench_, [cut] { return cut; });
+  field->setObjectName("ownLength");
+  field->setAccessibleName(tr("Blade, %1").arg(QString::fromStdString(cut)));
+  field->setToolTip(heads_[6]->toolTip());
+  field->setFixedWidth(kWidth);
+  return field;
+}
+
 void BlockCuts::rebuild(const std::vector<std::string>& cuts) {
   for (const Line& line : lines_)
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{line.name, line.order, line.up, line.turn, line.keep, line.offset}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{line.name, line.order, line.up, line.turn,
+                                                           line.keep, line.offset, line.length}) {
       grid_->removeWidget(widget);
       widget->hide();
       widget->deleteLater();
     }
   lines_.clear();
   for (const std::string& cut : cuts) {
-    Line line{cut, new QToolButton, nullptr, nullptr, nullptr, nullptr, addOffset(cut)};
+    Line line{cut, new QToolButton, nullptr, nullptr, nullptr, nullptr, addOffset(cut), addLength(cut)};
     line.name->setText(QString::fromStdString(cut));
     line.name->setCheckable(true);
     line.name->setAccessibleName(tr("Work on %1").arg(line.name->text()));
@@ -116,16 +127,16 @@ void BlockCuts::arrange() {
   for (int k = 1; k < int(heads_.size()); ++k) grid_->addWidget(heads_[std::size_t(k)], 0, first + k - 1);
   int row = 1;
   for (const Line& line : lines_) {
-    grid_->addWidget(line.name, row, 0, 1, narrow_ ? 5 : 1, Qt::AlignLeft);
+    grid_->addWidget(line.name, row, 0, 1, narrow_ ? 6 : 1, Qt::AlignLeft);
     if (narrow_) ++row;
     int column = first;
     for (QWidget* field :
-         std::initializer_list<QWidget*>{line.order, line.up, line.turn, line.keep, line.offset})
+         std::initializer_list<QWidget*>{line.order, line.up, line.turn, line.keep, line.offset, line.length})
       grid_->addWidget(field, row, column++, Qt::AlignLeft);
     ++row;
   }
-  grid_->setColumnStretch(5, narrow_ ? 1 : 0);
-  grid_->setColumnStretch(6, 1);
+  grid_->setColumnStretch(6, narrow_ ? 1 : 0);
+  grid_->setColumnStretch(7, 1);
 }
 
 void BlockCuts::setNarrow(bool narrow) {
@@ -163,6 +174,8 @@ void BlockCuts::refresh() {
   // Several take none; what one has all the same can be taken away.
   const bool offset = !several || std::ranges::any_of(cuts, [](const Cut* cut) { return cut->offset != 0; });
   heads_[5]->setVisible(offset);
+  const bool length = std::ranges::any_of(cuts, [](const Cut* cut) { return cut->length.has_value(); });
+  heads_[6]->setVisible(length);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
     const Cut& cut = *cuts[i];
@@ -175,6 +188,8 @@ void BlockCuts::refresh() {
     line.keep->setVisible(several);
     line.offset->show(cut.offset);
     line.offset->setVisible(offset);
+    showCutLength(*line.length, cut);
+    line.length->setVisible(length);
   }
 }
 

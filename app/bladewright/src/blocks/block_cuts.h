@@ -17,8 +17,9 @@
 namespace bw::app {
 
 /// The cuts of the block selected, a line each: its place in the order, the face of the block that lies on
-/// top, the turn about the vertical, the side that stays, and how far the foam stands back from the surface,
-/// which only one that is alone in its block may. Its name makes it the cut at work.
+/// top, the turn about the vertical, the side that stays, how far the foam stands back from the surface,
+/// which only one that is alone in its block may, and, where one has it, the length of its own blade. Its
+/// name makes it the cut at work.
 class BlockCuts : public QWidget {
   Q_OBJECT
 
@@ -33,13 +34,14 @@ class BlockCuts : public QWidget {
     std::string cut;
     QToolButton* name;
     ChoiceField *order, *up, *turn, *keep;
-    NumberField* offset;
+    NumberField *offset, *length;
   };
   void rebuild(const std::vector<std::string>& cuts);
   ChoiceField* addChoice(const char* name, const QString& title, const QStringList& items,
                          const std::string& cut, const QString& step,
                          const std::function<void(Cut&, int)>& change);
   NumberField* addOffset(const std::string& cut);
+  NumberField* addLength(const std::string& cut);
   /// Puts all in their places.
   void arrange();
   void fillOrder(ChoiceField& order, const Cut& cut, int beside) const;

@@ -12,6 +12,7 @@
 #include "bw/core/design/cut_list.h"
 #include "bw/core/text/number_text.h"
 #include "workbench/block_layout.h"
+#include "workflow/cut_length.h"
 
 namespace bw::app {
 
@@ -71,9 +72,14 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   length_ = addNumber(column, numbers.front());
   band_ = column->addWide(new LengthBand(theme));
   connect(band_, &LengthBand::chosen, this, [this](double length) {
-    bench_.editDesign(tr("Change blade length"), [length](Design& design) {
-      design.blade.length = length;
-      design.blade.autoLength = false;
+    // The lengths told are those of the cut selected, which may have a blade of its own.
+    bench_.editDesign(tr("Change blade length"), [this, length](Design& design) {
+      if (Cut& own = *std::ranges::find(design.cuts, bench_.cut().id, &Cut::id); own.length) {
+        own.length = length;
+      } else {
+        design.blade.length = length;
+        design.blade.autoLength = false;
+      }
     });
   });
   lengths_ = column->addWide(new QLabel);
@@ -160,8 +166,10 @@ void BladeFields::refreshLengths() {
   const pipeline::CutEvaluation* cut = bench_.shownCut();
   const std::shared_ptr<const BladeLengths> known = cut ? cut->lengths.value : nullptr;
   const auto result = bench_.sweep();
-  const double length = blade.autoLength && result ? result->sweep.request.blade.length : blade.length;
-  band_->show(known, length);
+  const std::optional<double>& own = bench_.cut().length;
+  const double length =
+      blade.autoLength && result && !own ? result->sweep.request.blade.length : blade.length;
+  band_->show(known, own.value_or(length));
   lengths_->setText(lengthsText(known.get()));
   autoLength_->setChecked(blade.autoLength);
   length_->show(length);
@@ -221,6 +229,8 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, QObject* parent) : QO
     const Cut& cut = bench_.design().cuts[std::size_t(index)];
     bench_.select({Selection::Kind::result, -1, cut.block, cut.id});
   });
+  length_ = column->add(tr("Own length"), makeCutLength(bench, [this] { return bench_.cut().id; }),
+                        tr("The length of the blade for this cut alone; empty: that of the blade below"));
   auto* line = new QWidget;
   auto* layout = makeBox<QHBoxLayout>(line);
   layout->addStretch();
@@ -276,6 +286,9 @@ void CutFields::refresh() {
   refreshChoice();
   const Cut& cut = bench_.cut();
   const auto beside = std::ranges::count(bench_.design().cuts, cut.block, &Cut::block);
+  showCutLength(*length_, cut);
+  // A single cut has the blade to itself.
+  setLineVisible(length_, bench_.design().cuts.size() > 1 || cut.length.has_value());
   remove_->setVisible(beside > 1);
   remove_->setEnabled(mayGo(bench_.design(), cut));
   add_->setEnabled(!bench_.document().empty());

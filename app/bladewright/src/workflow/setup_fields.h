@@ -72,7 +72,7 @@ class BlockFields : public QObject {
   std::vector<Number> numbers_;
 };
 
-/// Which cut is at work; another one, and one fewer.
+/// Which cut is at work, and with what length of blade if not that of all; another one, and one fewer.
 class CutFields : public QObject {
   Q_OBJECT
 
@@ -89,6 +89,7 @@ class CutFields : public QObject {
   Workbench& bench_;
   QPushButton *add_, *remove_;
   ChoiceField* cut_;
+  NumberField* length_;
 };
 
 }  // namespace bw::app
