@@ -331,6 +331,32 @@ TEST(Joints, BetweenStationsAskForMoreOfThem) {
   EXPECT_FALSE(joints.wantsStations({})) << "that one would stay";
 }
 
+TEST(Joints, ThatMissBetweenTheirStationsAreMendedByMoreOfThem) {
+  const Wall wall = wallOf(joinedRequest(false));
+  const Result<Joints> known = measureJoints(wall.rows(), {}, {});
+  ASSERT_TRUE(known);
+  const Joint& joint = known->joints.front();
+  ASSERT_LT(joint.gapAtStations, joint.gapMax);
+  ASSERT_LT(joint.kinkAtStations, joint.kinkMax);
+  const auto told = [&](double gap, double kink) {
+    Result<Joints> joints = measureJoints(wall.rows(), {gap, kink, 0}, {});
+    EXPECT_TRUE(joints);
+    return joints->findings;
+  };
+  const auto moreFor = [](const Finding* finding) {
+    const MoreStations* more = finding ? remedyOf<MoreStations>(finding->remedies) : nullptr;
+    return more ? more->count : 0;
+  };
+  const Findings between =
+      told(0.5 * (joint.gapAtStations + joint.gapMax), 0.5 * (joint.kinkAtStations + joint.kinkMax));
+  EXPECT_EQ(moreFor(test::findingOf<JointGap>(between)), 2 * kStations - 1);
+  EXPECT_EQ(moreFor(test::findingOf<JointKink>(between)), 2 * kStations - 1);
+  const Findings at = told(0.5 * joint.gapAtStations, 0.5 * joint.kinkAtStations);
+  ASSERT_TRUE(test::findingOf<JointGap>(at) && test::findingOf<JointKink>(at));
+  EXPECT_EQ(moreFor(test::findingOf<JointGap>(at)), 0) << "more stations would miss as well";
+  EXPECT_EQ(moreFor(test::findingOf<JointKink>(at)), 0);
+}
+
 TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
   // One surface in two blocks along the travel.
   const FitRequest request = joinedRequest(true);

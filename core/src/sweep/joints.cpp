@@ -11,6 +11,7 @@
 
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/core/sweep/neighbours.h"
+#include "bw/core/sweep/section_request.h"
 #include "sweep/boundary_crossing.h"
 
 namespace bw {
@@ -407,6 +408,20 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
                        context);
 }
 
+namespace {
+
+/// Twice as many stations as the row of two that has more of them, where `atStations` keeps the limit, so
+/// that what lies between them alone is off.
+Remedies moreStations(const Sweep& a, const Sweep& b, double atStations, double limit) {
+  const auto count = [](const Sweep& sweep) {
+    return sweep.poses.back().index - sweep.poses.front().index + 1;
+  };
+  const int more = 2 * std::max(count(a), count(b)) - 1;
+  return atStations <= limit && more <= SectionRequest::kMost ? Remedies{MoreStations{more}} : Remedies{};
+}
+
+}  // namespace
+
 Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vector<RowKerf>& kerfs,
                              const std::vector<Neighbours>& pairs, const JointRequest& request,
                              const RunContext& context) {
@@ -440,16 +455,19 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
       joints.findings.push_back({Severity::warning, JointUnknown{one, other, places}, {{}, at}, {}});
     if (joint.places == 0 && joint.open == 0) continue;
     joints.joints.push_back(joint);
+    const auto more = [&](double atStations, double limit) {
+      return moreStations(*rows[joint.first].sweep, *rows[joint.second].sweep, atStations, limit);
+    };
     if (joint.gapMax > request.gap)
       joints.findings.push_back({Severity::warning,
                                  JointGap{one, other, joint.gapMax, request.gap, joint.gapAtStations},
                                  {{}, joint.gapAt},
-                                 {}});
+                                 more(joint.gapAtStations, request.gap)});
     if (joint.kinkMax > request.kink)
       joints.findings.push_back({Severity::warning,
                                  JointKink{one, other, joint.kinkMax, request.kink, joint.kinkAtStations},
                                  {{}, joint.kinkAt},
-                                 {}});
+                                 more(joint.kinkAtStations, request.kink)});
     if (joint.open > 0)
       joints.findings.push_back(
           {Severity::warning, JointOpen{one, other, joint.open, joint.places}, {{}, joint.openAt}, {}});

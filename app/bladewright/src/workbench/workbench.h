@@ -287,6 +287,9 @@ class Workbench : public QObject {
   void onFinished();
   void tellChanged(model::Aspects whole) { emit changed({whole}); }
   Cut& cutOf(Design& design) const;  ///< the one selected
+  /// What the numbers of a finding say: more stations where blocks meet, and a block that reaches lower.
+  std::optional<Offer> offerStations(const Finding& finding) const;
+  std::optional<Offer> offerLowerBlock(const Finding& finding) const;
   /// How the evaluations that are there now differ from those that were told of last.
   Change resultChange();
   /// Selects the first cut if the design has none of the selected id. What is seen of a cut is then another.

@@ -8,6 +8,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/lower_block.h"
+#include "workbench/joint_stations.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -166,24 +167,42 @@ bool Workbench::canApply(const Remedy& remedy) const {
 
 std::vector<Offer> Workbench::offersOf(const Message& message) const {
   std::vector<Offer> offers;
+  // How blocks meet is no matter of the cut selected alone.
+  const bool joint = message.finding && message.finding->kind() == FindingKind::joint;
   for (const Remedy& remedy : message.remedies)
-    if (canApply(remedy))
+    if (!joint && canApply(remedy))
       offers.push_back({QString::fromStdString(words::action(remedy)), [this, remedy](Design& design) {
                           std::visit(Mend{design, cutOf(design)}, remedy);
                         }});
-  const NearBottom* low = message.finding ? std::get_if<NearBottom>(&message.finding->cause) : nullptr;
-  if (!low || low->lower != NearBottom::Lower::keeps) return offers;
+  if (!message.finding) return offers;
+  for (std::optional<Offer> offer : {offerStations(*message.finding), offerLowerBlock(*message.finding)})
+    if (offer) offers.push_back(std::move(*offer));
+  return offers;
+}
+
+std::optional<Offer> Workbench::offerStations(const Finding& finding) const {
+  const auto& newest = runner_.evaluation();
+  const auto stations = newest ? stationsForJoint(*newest, finding) : std::nullopt;
+  if (!stations || stations->in(design()) == design()) return {};
+  const int blocks = stations->blocks, count = stations->count;
+  return Offer{blocks == 2 ? tr("Take %1 stations in both blocks").arg(count)
+                           : tr("Take %1 stations in the %2 blocks that meet").arg(count).arg(blocks),
+               [stations](Design& design) { design = stations->in(design); }};
+}
+
+std::optional<Offer> Workbench::offerLowerBlock(const Finding& finding) const {
+  const NearBottom* low = std::get_if<NearBottom>(&finding.cause);
+  if (!low || low->lower != NearBottom::Lower::keeps) return {};
   const double by = low->lowerBy;
-  if (!pipeline::withLowerBlock(design(), cut().id, by)) return offers;
+  if (!pipeline::withLowerBlock(design(), cut().id, by)) return {};
   const QString which = design().stock.size() == 1 ? tr("the block")
                         : design().grid            ? tr("the blocks")
                                                    : QString::fromStdString(printable(block().id));
   const QString text = tr("Let %1 reach %2 mm lower").arg(which, QString::fromStdString(fixedText(by, 0)));
-  offers.push_back({text, [id = cut().id, by](Design& design) {
-                      if (std::optional<Design> lower = pipeline::withLowerBlock(design, id, by))
-                        design = std::move(*lower);
-                    }});
-  return offers;
+  return Offer{text, [id = cut().id, by](Design& design) {
+                 if (std::optional<Design> lower = pipeline::withLowerBlock(design, id, by))
+                   design = std::move(*lower);
+               }};
 }
 
 void Workbench::apply(const Remedy& remedy) {
