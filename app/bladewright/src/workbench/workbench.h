@@ -287,8 +287,10 @@ class Workbench : public QObject {
   void onFinished();
   void tellChanged(model::Aspects whole) { emit changed({whole}); }
   Cut& cutOf(Design& design) const;  ///< the one selected
-  /// What the numbers of a finding say: more stations where blocks meet, and a block that reaches lower.
+  /// What the numbers of a finding say: more stations where blocks meet, a block that is split across the
+  /// blade where its points are too uneven, and one that reaches lower.
   std::optional<Offer> offerStations(const Finding& finding) const;
+  std::optional<Offer> offerSplit(const Finding& finding) const;
   std::optional<Offer> offerLowerBlock(const Finding& finding) const;
   /// How the evaluations that are there now differ from those that were told of last.
   Change resultChange();

@@ -8,7 +8,9 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/lower_block.h"
+#include "workbench/block_layout.h"
 #include "workbench/joint_stations.h"
+#include "workbench/split_block.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -175,7 +177,8 @@ std::vector<Offer> Workbench::offersOf(const Message& message) const {
                           std::visit(Mend{design, cutOf(design)}, remedy);
                         }});
   if (!message.finding) return offers;
-  for (std::optional<Offer> offer : {offerStations(*message.finding), offerLowerBlock(*message.finding)})
+  for (std::optional<Offer> offer :
+       {offerStations(*message.finding), offerSplit(*message.finding), offerLowerBlock(*message.finding)})
     if (offer) offers.push_back(std::move(*offer));
   return offers;
 }
@@ -188,6 +191,23 @@ std::optional<Offer> Workbench::offerStations(const Finding& finding) const {
   return Offer{blocks == 2 ? tr("Take %1 stations in both blocks").arg(count)
                            : tr("Take %1 stations in the %2 blocks that meet").arg(count).arg(blocks),
                [stations](Design& design) { design = stations->in(design); }};
+}
+
+std::optional<Offer> Workbench::offerSplit(const Finding& finding) const {
+  const auto& newest = runner_.evaluation();
+  const pipeline::CutEvaluation* own = newest ? newest->find(cut().id) : nullptr;
+  if (!std::holds_alternative<UnevenSpeed>(finding.cause) || !own || !own->sweep.value || !own->check.value)
+    return {};
+  const std::optional<BlockGrid> before = gridOf(*this);
+  if (!before) return {};
+  const auto split = splitForSpeed(*before, block().id, *own->sweep.value, *own->check.value);
+  if (!split || !withSplit(design(), *before, *split, block().id)) return {};
+  const QString which = before->count() == 1 ? tr("the block") : tr("the blocks in line");
+  return Offer{tr("Split %1 in %2 across the blade").arg(which).arg(partsOf(*before, *split)),
+               [before, split, id = block().id](Design& design) {
+                 if (std::optional<Design> parted = withSplit(design, *before, *split, id))
+                   design = std::move(*parted);
+               }};
 }
 
 std::optional<Offer> Workbench::offerLowerBlock(const Finding& finding) const {
