@@ -137,6 +137,58 @@ TEST_F(BlockHandlesTest, NumbersAreTypedAndKeysCount) {
   ASSERT_TRUE(settle());
 }
 
+TEST_F(BlockHandlesTest, EveryFaceAndTheRingTakeExpressions) {
+  openBlock("ripple-along");
+  bench().editDesign("Prepare", [](Design& design) {
+    design.block().placement = BlockPlacement{{10, -20, 5}, {580, 840, 480}, {0, 0, 0.1}};
+    design.variables.push_back({"wide", 640, 300, 900});
+    design.variables.push_back({"turn", 12, -90, 90});
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  const Box was = box();
+  const auto right = [](const Box& of) {
+    return Eigen::Vector3d(of.frame.origin + of.size.x() * of.frame.x);
+  };
+  QUndoStack& undo = bench().document().undoStack();
+  const int steps = undo.index();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::left));
+  type("=wide - 20");
+  EXPECT_EQ(box().size.x(), 620);
+  EXPECT_NEAR((right(box()) - right(was)).norm(), 0, 1e-9) << "the face opposite stays";
+  EXPECT_EQ(undo.index(), steps + 1);
+  EXPECT_EQ(undo.undoText(), "Resize block");
+  const Box wider = withVariables(bench().design(), {{"wide", 700}}).value().block().placement->box();
+  EXPECT_EQ(wider.size.x(), 680);
+  EXPECT_NEAR((right(wider) - right(was)).norm(), 0, 1e-9) << "also when the variable changes";
+  const Design again = parseDesign(designToJson(bench().design())).value();
+  EXPECT_EQ(again.bindings, bench().design().bindings);
+  // The ring turns the block about its middle.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  const Eigen::Vector3d middle = box().center();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turn));
+  type("=turn");
+  EXPECT_NEAR(bench().block().placement->rotation.z(), 12 * kDegree, 1e-12);
+  EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
+  EXPECT_EQ(undo.index(), steps + 2);
+  const Box turned = withVariables(bench().design(), {{"turn", -30}}).value().block().placement->box();
+  EXPECT_NEAR((turned.center() - middle).norm(), 0, 1e-9);
+  EXPECT_NEAR(turned.frame.x.y(), std::sin(-30 * kDegree), 1e-12);
+  // Reopened, the field shows it; a number frees it.
+  press(Qt::Key_Return);
+  auto* field = find<NumberField>("Rotation Z of " + QString::fromStdString(bench().block().id));
+  ASSERT_TRUE(field);
+  EXPECT_EQ(field->expression(), "turn");
+  picture("block-handles-ring-typed");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ControlModifier);
+  type("15");
+  EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
+  EXPECT_FALSE(bench().design().bindings.contains("/stock/0/block/rotation_deg/2"));
+  undo.setIndex(steps);
+  EXPECT_TRUE(bench().design().bindings.empty());
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(BlockHandlesTest, AHandleThatWasChosenIsNotThatOfAnotherBlock) {
   openBlock("three-block-wall");
   bench().editDesign("As a list", [](Design& design) { design.grid.reset(); });

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "bw/core/base/units.h"
 #include "bw/core/design/variables.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
@@ -265,6 +266,44 @@ TEST_F(BlockPanelTest, SizesGapsAndCountsAreExpressionsToo) {
   undo.setIndex(before);
   EXPECT_TRUE(bench().design().bindings.empty());
   EXPECT_EQ(sizes->expression(), "");
+}
+
+TEST_F(BlockPanelTest, WhereTheGridStandsIsTypedAndTakesExpressions) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  bench().editDesign("Prepare", [](Design& design) { design.variables.push_back({"reach", 40, 0, 90}); });
+  const auto boundAt = [&](const std::string& place) {
+    const auto bound = bench().design().bindings.find(place);
+    return bound == bench().design().bindings.end() ? std::string() : bound->second.text;
+  };
+  const Design before = bench().design();
+  ASSERT_NO_FATAL_FAILURE(type("Corner X", "=-reach/4"));
+  ASSERT_NO_FATAL_FAILURE(type("Corner Z", "-25"));
+  ASSERT_NO_FATAL_FAILURE(type("Rotation Z", "=reach/80"));
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Layers, sizes", "=500 + reach"));
+  EXPECT_EQ(grid().origin, Eigen::Vector3d(-10, before.grid->origin.y(), -25));
+  EXPECT_NEAR(grid().rotation.z(), 0.5 * kDegree, 1e-12);
+  EXPECT_EQ(boundAt("/grid/origin/0"), "-reach/4");
+  EXPECT_EQ(boundAt("/grid/origin/2"), "");
+  EXPECT_EQ(boundAt("/grid/rotation_deg/2"), "reach/80");
+  EXPECT_EQ(boundAt("/grid/sizes/layers"), "500 + reach");
+  EXPECT_EQ(bench().design().stock, stockOf(grid())) << "its blocks stand there";
+  EXPECT_EQ(bench().design().sources, before.sources) << "the surface stays";
+  EXPECT_EQ(bench().design().cuts, before.cuts);
+  const Design again = parseDesign(designToJson(bench().design())).value();
+  EXPECT_EQ(again.bindings, bench().design().bindings);
+  EXPECT_EQ(again.grid, bench().design().grid);
+  picture("blocks-panel-corner");
+  const Result<Design> moved = withVariables(bench().design(), {{"reach", 60}});
+  ASSERT_TRUE(moved) << moved.error().message;
+  EXPECT_EQ(moved->grid->origin.x(), -15);
+  EXPECT_EQ(moved->stock.front().placement->origin.x(), -15);
+  EXPECT_EQ(moved->grid->sizes[2], std::vector<double>{560});
+  // A number takes the place of an expression.
+  ASSERT_NO_FATAL_FAILURE(type("Corner X", "-10"));
+  EXPECT_EQ(boundAt("/grid/origin/0"), "");
+  EXPECT_EQ(fieldOf<NumberField>("Corner X")->expression(), "");
+  bench().document().undoStack().setIndex(1);
+  EXPECT_EQ(bench().design(), before);
 }
 
 TEST_F(BlockPanelTest, AWrongExpressionOfTheGridSaysWhatIsWrong) {

@@ -6,6 +6,7 @@
 #include "bw/core/base/units.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
+#include "workflow/kerf_table_field.h"
 #include "workflow/variable_fields.h"
 
 namespace bw::app {
@@ -174,6 +175,54 @@ TEST_F(BoundFields, AWrongExpressionSaysWhatIsWrong) {
   EXPECT_NE(refusal("width", "=2*3").find("no expression can stand here"), std::string::npos)
       << "a variable is a number";
   EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(BoundFields, TheKerfOverSpeedHasExpressions) {
+  open("single-block");
+  ASSERT_NO_FATAL_FAILURE(addWidth());
+  for (auto* button : window().workflow().findChildren<QToolButton*>())
+    if (button->text().contains("Fit and lead") && !button->isChecked()) button->click();
+  const int before = steps();
+  auto* field = find<KerfTableField>("Kerf over speed");
+  ASSERT_TRUE(field);
+  const auto typed = [&](const QString& text) {
+    window().workflow().ensureWidgetVisible(field);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_FALSE(field->refused()) << field->refusal().toStdString();
+  };
+  typed("5: =width/150; 20: =max(width; 100)/250");
+  EXPECT_EQ(steps(), before + 1);
+  EXPECT_EQ(boundAt("/process/kerf/0/1"), "width/150");
+  EXPECT_EQ(boundAt("/process/kerf/1/1"), "max(width; 100)/250");
+  EXPECT_EQ(bench().design().process.kerfTable, (KerfTable{{5, 4}, {20, 2.4}}));
+  EXPECT_EQ(field->text(), "5: 4, 20: 2.4");
+  EXPECT_EQ(field->expression(), "5: =width/150; 20: =max(width; 100)/250");
+  const Design again = parseDesign(designToJson(bench().design())).value();
+  EXPECT_EQ(again.bindings, bench().design().bindings);
+  ASSERT_TRUE(settle());
+  window().workflow().ensureWidgetVisible(field);
+  picture("bound-kerf");
+  ASSERT_NO_FATAL_FAILURE(type("width", "660"));
+  EXPECT_EQ(bench().design().process.kerfTable[0].width, 4.4);
+  EXPECT_EQ(field->text(), "5: 4.4, 20: 2.64");
+  // With the keyboard it shows what is typed into; one number frees itself, none frees all.
+  field->setFocus(Qt::TabFocusReason);
+  EXPECT_EQ(field->text(), "5: =width/150; 20: =max(width; 100)/250");
+  typed("5: 4.4; 20: =width/250");
+  EXPECT_EQ(boundAt("/process/kerf/0/1"), "");
+  EXPECT_EQ(boundAt("/process/kerf/1/1"), "width/250");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClick(field, Qt::Key_Delete);
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_TRUE(bench().design().process.kerfTable.empty());
+  for (const auto& [place, bound] : bench().design().bindings)
+    EXPECT_FALSE(place.starts_with("/process/kerf")) << place;
+  bench().document().undoStack().setIndex(before);
+  EXPECT_EQ(field->expression(), "");
 }
 
 TEST_F(BoundFields, AFileThatIsCutHasVariablesToo) {

@@ -57,6 +57,36 @@ TEST(KerfTable, IsReadAsPeopleTypeIt) {
   EXPECT_NE(refusalOf("5: 4.2, 20: 2 kg").find("the width of entry 2"), std::string::npos);
 }
 
+TEST(KerfTable, TakesExpressionsForItsNumbers) {
+  const auto value = [](const std::string& text) -> Result<double> {
+    const NamedNumber numbers[] = {{"width", 420}, {"slow", 5}};
+    return evaluateExpression(text, numbers);
+  };
+  for (const char* text : {"=slow: =width/100; 20: 2.7", "=slow:=max(width; 1)/100, 20: 2.7",
+                           "= slow : = max(width, 1)/100 , 20: 2.7"}) {
+    const Result<ToldKerf> told = readTypedKerf(text, value);
+    ASSERT_TRUE(told) << text << ": " << told.error().message;
+    EXPECT_EQ(told->table, kTable) << text;
+    ASSERT_EQ(told->expressions.size(), 2u) << text;
+    EXPECT_EQ(told->expressions.at("/0/0").text, "slow");
+    EXPECT_EQ(told->expressions.at("/0/1").value, 4.2);
+    const Result<ToldKerf> again = readTypedKerf(typedKerf(told->table, told->expressions), value);
+    ASSERT_TRUE(again) << typedKerf(told->table, told->expressions);
+    EXPECT_EQ(again->expressions, told->expressions);
+    EXPECT_EQ(again->table, told->table);
+  }
+  EXPECT_EQ(typedKerf(kTable, {{"/1/1", {"width/100 - 1.5", 2.7}}}), "5: 4.2; 20: =width/100 - 1.5");
+  const auto refused = [&](const char* text) {
+    const Result<ToldKerf> told = readTypedKerf(text, value);
+    return told ? std::string("taken") : told.error().message;
+  };
+  EXPECT_NE(refused("5: =widht, 20: 2.7").find("the width of entry 1, after its =, character 1"),
+            std::string::npos)
+      << refused("5: =widht, 20: 2.7");
+  EXPECT_NE(refused("5: =width, 20: 2.7").find("entry 1 has a width of 420"), std::string::npos);
+  EXPECT_FALSE(readTypedKerf("5: =1+1, 20: 2.7")) << "where there are no variables there are no expressions";
+}
+
 TEST(KerfTable, StandsInJobsAndDesignsInPlaceOfTheWidth) {
   const Result<Design> job = parseJob(R"({"kerf": [[5, 4.2], [20, 2.7]]})");
   ASSERT_TRUE(job) << job.error().message;

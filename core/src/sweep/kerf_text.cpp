@@ -24,25 +24,50 @@ tl::unexpected<Error> refused(std::string sentence) {
 /// Where the width of one pair ends and the speed of the next begins; nothing where that could be in several
 /// places, or is in none.
 std::optional<std::size_t> partingOf(std::string_view between) {
-  const auto only = [&](std::string_view mark) -> std::optional<std::size_t> {
-    const std::size_t at = between.find(mark);
-    if (at == std::string_view::npos || between.find(mark, at + 1) != std::string_view::npos) return {};
+  // Within brackets nothing parts: =max(a; b).
+  const auto places = [&](std::string_view mark) {
+    std::vector<std::size_t> at;
+    int brackets = 0;
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      if (between[i] == '(') ++brackets;
+      if (between[i] == ')') --brackets;
+      if (brackets <= 0 && between.substr(i).starts_with(mark)) at.push_back(i);
+    }
     return at;
   };
-  if (between.find(';') != std::string_view::npos) return only(";");
-  if (between.find(", ") != std::string_view::npos) return only(", ");
-  return only(",");
+  for (const std::string_view mark : {";", ", ", ","})
+    if (const std::vector<std::size_t> at = places(mark); !at.empty() || mark == ",")
+      return at.size() == 1 ? std::optional(at.front()) : std::nullopt;
+  return {};
 }
 
-Result<double> numberOf(std::string_view text, std::size_t entry, const char* what,
-                        const NumberDemand& demand) {
-  Result<double> number = readTypedNumber(text, demand);
+std::string_view trimmed(std::string_view text) {
+  const std::size_t from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
+  return from == std::string_view::npos ? std::string_view() : text.substr(from, to + 1 - from);
+}
+
+using Value = std::function<Result<double>(const std::string&)>;
+
+std::string placeOf(std::size_t entry, std::size_t number) {
+  return "/" + std::to_string(entry) + "/" + std::to_string(number);
+}
+
+/// A number of an entry: 0 its speed, 1 its width.
+Result<double> numberOf(std::string_view text, std::size_t entry, std::size_t which, const Value& value,
+                        KerfExpressions& expressions) {
+  text = trimmed(text);
+  const bool told = value && text.starts_with('=');
+  const std::string expression(told ? trimmed(text.substr(1)) : std::string_view());
+  Result<double> number =
+      told ? value(expression) : readTypedNumber(text, NumberDemand{which == 0 ? "mm/s" : "mm"});
   if (!number) {
     Error error = number.error();
-    error.message = std::string(what) + " of " + entryName(entry) + ": " + error.message;
+    error.message = std::string(which == 0 ? "the speed" : "the width") + " of " + entryName(entry) +
+                    (told ? ", after its =, " : ": ") + error.message;
     error.where = "kerf";
     return tl::unexpected<Error>(std::move(error));
   }
+  if (told) expressions[placeOf(entry, which)] = {expression, *number};
   return number;
 }
 
@@ -72,7 +97,13 @@ std::optional<std::string> faultOf(const KerfTable& table) {
 }
 
 Result<KerfTable> readTypedKerf(std::string_view text) {
-  if (text.find_first_not_of(" \t") == std::string_view::npos) return KerfTable{};
+  Result<ToldKerf> told = readTypedKerf(text, nullptr);
+  if (!told) return tl::unexpected<Error>(told.error());
+  return std::move(told->table);
+}
+
+Result<ToldKerf> readTypedKerf(std::string_view text, const Value& value) {
+  if (text.find_first_not_of(" \t") == std::string_view::npos) return ToldKerf{};
   // The parts between colons: a speed, a width with the next speed …, a width.
   std::vector<std::string_view> parts;
   for (std::size_t from = 0;;) {
@@ -98,22 +129,31 @@ Result<KerfTable> readTypedKerf(std::string_view text) {
     pairs.emplace_back(speed, parts[i].substr(0, *parting));
     speed = parts[i].substr(*parting + 1);
   }
-  KerfTable table;
+  ToldKerf told;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Result<double> fast = numberOf(pairs[i].first, i, "the speed", {"mm/s"}),
-                         wide = numberOf(pairs[i].second, i, "the width", {"mm"});
+    const Result<double> fast = numberOf(pairs[i].first, i, 0, value, told.expressions),
+                         wide = numberOf(pairs[i].second, i, 1, value, told.expressions);
     if (!fast) return tl::unexpected<Error>(fast.error());
     if (!wide) return tl::unexpected<Error>(wide.error());
-    table.push_back({*fast, *wide});
+    told.table.push_back({*fast, *wide});
   }
-  if (std::optional<std::string> fault = faultOf(table)) return refused(std::move(*fault));
-  return table;
+  if (std::optional<std::string> fault = faultOf(told.table)) return refused(std::move(*fault));
+  return told;
 }
 
-std::string typedKerf(const KerfTable& table) {
+std::string typedKerf(const KerfTable& table) { return typedKerf(table, {}); }
+
+std::string typedKerf(const KerfTable& table, const KerfExpressions& expressions) {
+  const auto number = [&](std::size_t entry, std::size_t which, double now) {
+    const auto told = expressions.find(placeOf(entry, which));
+    return told == expressions.end() ? roundTripText(now) : "=" + told->second.text;
+  };
   std::string text;
-  for (const KerfAt& entry : table)
-    text += (text.empty() ? "" : ", ") + roundTripText(entry.speed) + ": " + roundTripText(entry.width);
+  for (std::size_t i = 0; i < table.size(); ++i)
+    text += (i == 0                ? ""
+             : expressions.empty() ? ", "
+                                   : "; ") +
+            number(i, 0, table[i].speed) + ": " + number(i, 1, table[i].width);
   return text;
 }
 

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/parts/cut_pose.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
+#include "window/corner_expressions.h"
 #include "window/handle_ray.h"
 #include "workbench/block_layout.h"
 
@@ -315,6 +317,28 @@ void BlockHandles::pull(double value, bool live) {
   emit changed();
 }
 
+void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::string& expression) {
+  // Only a face whose opposite one is the corner moves with the size alone.
+  if (isFace(part) && sideOf(part) > 0) return;
+  const CornerExpressions corner = isFace(part) ? cornerOfSize(was.placed, axisOf(part), expression)
+                                                : cornerOfTurn(was.placed, expression);
+  const std::string place = placeInBlock(bench_, "/origin/")();
+  pulling_ = true;
+  bench_.editDesign(
+      isFace(part) ? tr("Resize block") : tr("Rotate block"),
+      [&](Design& design) {
+        StockBlock& block = *std::ranges::find(design.stock, bench_.block().id, &StockBlock::id);
+        for (std::size_t i = 0; i < corner.size(); ++i) {
+          const Result<double> value = corner[i] ? valueOver(bench_, *corner[i]) : Result<double>(0);
+          if (!corner[i] || !value || !block.placement) continue;
+          block.placement->origin[Eigen::Index(i)] = *value;
+          design.bindings[place + std::to_string(i)] = {*corner[i], *value};
+        }
+      },
+      pull_->mergeId);
+  pulling_ = false;
+}
+
 void BlockHandles::giveUp() {
   const QString text = pull_->part == BlockPart::direction ? tr("Change direction")
                        : pull_->part == BlockPart::turn    ? tr("Rotate block")
@@ -424,14 +448,14 @@ void BlockHandles::openField(const QKeyEvent* typed) {
     const std::optional<Standing> now = standing();
     return now && chosen_ == part ? std::optional(valueOf(*now, part)) : std::nullopt;
   };
-  // Only a face whose opposite one is the corner can follow a size alone.
-  if (isFace(part) && sideOf(part) > 0)
-    line.place = placeInBlock(bench_, "/size/" + std::to_string(axisOf(part)));
-  line.take = [this, part](double to, const NumberField&) {
+  if (isFace(part)) line.place = placeInBlock(bench_, "/size/" + std::to_string(axisOf(part)));
+  if (part == BlockPart::turn) line.place = placeInBlock(bench_, "/rotation_deg/2");
+  line.take = [this, part](double to, const NumberField& field) {
     const std::optional<Standing> now = standing();
     if (!now) return;
     begin(part, false, *now);
     pull(to, false);
+    if (const QString told = field.expression(); !told.isEmpty()) bindCorner(*now, part, told.toStdString());
     endPull();
   };
   field_->open(

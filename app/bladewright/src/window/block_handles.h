@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 
 #include "bw/core/base/frame.h"
 #include "bw/scene/scene.h"
@@ -98,6 +99,9 @@ class BlockHandles : public QObject {
   void begin(BlockPart part, bool held, const Standing& standing);
   /// Gives the part that is pulled another value.
   void pull(double value, bool live);
+  /// Where the part that was typed stands for an expression: the corner follows, so that the face opposite of
+  /// it, or the middle of the block, stays.
+  void bindCorner(const Standing& was, BlockPart part, const std::string& expression);
   void giveUp();
   void endPull();
   void choose(std::optional<BlockPart> part);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bw/core/base/units.h"
 #include "bw/core/design/design_versions.h"
 #include "bw/core/design/grid_change.h"
 #include "bw/core/text/number_text.h"
@@ -97,6 +98,8 @@ LengthExpressions expressionsAt(const Design& design, const std::string& place) 
 
 std::string sizesPlace(std::size_t way) { return std::string("/grid/sizes/") + kGridWays[way]; }
 std::string gapsPlace(std::size_t way) { return std::string("/grid/gaps/") + kGridWays[way]; }
+std::string cornerPlace(std::size_t axis) { return "/grid/origin/" + std::to_string(axis); }
+constexpr char kTurnPlace[] = "/grid/rotation_deg/2";
 std::string countPlace(std::size_t way) { return std::string("/grid/") + kGridWays[way]; }
 
 }  // namespace
@@ -252,6 +255,15 @@ GridFields::GridFields(Workbench& bench, FormColumn* column, QObject* parent)
     gaps_[way] = addLengths(tr("%1, gaps").arg(name), tr("mm, between neighbours"), 0, BlockGrid::kMostGap,
                             tr("Change gaps"), gapsPlace(way), &BlockGrid::gaps);
   }
+  for (int axis = 0; axis < 3; ++axis)
+    corner_[std::size_t(axis)] =
+        addPlace(tr("Corner %1").arg(QLatin1Char(char('X' + axis))),
+                 tr("The corner of the first block, in the frame of the file; surfaces stay where they are"),
+                 tr("Move blocks"), {-1e6, 1e6, 3, 10, "mm"}, &BlockGrid::origin, axis, 1,
+                 cornerPlace(std::size_t(axis)), column);
+  turn_ = addPlace(tr("Rotation Z"), tr("Of all blocks about that corner; surfaces stay where they are"),
+                   tr("Rotate blocks"), {-360, 360, 3, 5, QString(QChar(0xb0))}, &BlockGrid::rotation, 2,
+                   kDegree, kTurnPlace, column);
   listed_ =
       column->addWide(makeNote(tr("The blocks of this design are a list and lie in no grid; undo, or "
                                   "its file, brings one back.")));
@@ -276,6 +288,26 @@ void GridFields::addCount(std::size_t way, const QString& name, const QString& t
     changeCount(way, int(field->value()), bound);
   };
   field->setExpressions({counted, bind});
+}
+
+NumberField* GridFields::addPlace(const QString& name, const QString& tip, const QString& step,
+                                  const NumberRange& range, Eigen::Vector3d BlockGrid::*member, int axis,
+                                  double unit, const std::string& place, FormColumn* column) {
+  auto* field = column->add(name, new NumberField(range), tip);
+  connect(field, &NumberField::edited, this, [this, step, member, axis, unit](double value) {
+    if (!bench_.design().grid) return;
+    bench_.editDesign(step, [&](Design& design) {
+      ((*design.grid).*member)[axis] = value * unit;
+      design.stock = stockOf(*design.grid);
+    });
+  });
+  field->setExpressions(
+      {[this](const std::string& text) { return value(text); },
+       [this, place](const std::optional<BoundNumber>& bound, const std::function<void()>& tell) {
+         bench_.editBound(place, bound, tell);
+         refresh();  // the design may not have taken it
+       }});
+  return field;
 }
 
 Result<double> GridFields::value(const std::string& text) const {
@@ -313,15 +345,27 @@ void GridFields::refresh() {
   const std::optional<BlockGrid> now = gridOf(bench_);
   const bool listed = design.stock.size() > 1 && !design.grid;
   listed_->setVisible(listed);
+  const auto boundAt = [&design](const std::string& place) {
+    const auto bound = design.grid ? design.bindings.find(place) : design.bindings.end();
+    return bound == design.bindings.end() ? std::nullopt : std::optional(bound->second);
+  };
+  for (NumberField* field : {corner_[0], corner_[1], corner_[2], turn_})
+    setLineVisible(field, design.grid.has_value());
+  for (std::size_t axis = 0; axis < 3 && design.grid; ++axis) {
+    corner_[axis]->show(design.grid->origin[Eigen::Index(axis)]);
+    corner_[axis]->showExpression(boundAt(cornerPlace(axis)));
+  }
+  if (design.grid) {
+    turn_->show(design.grid->rotation.z() / kDegree);
+    turn_->showExpression(boundAt(kTurnPlace));
+  }
   for (std::size_t way = 0; way < 3; ++way) {
     setLineVisible(counts_[way], !listed);
     counts_[way]->setEnabled(now.has_value());
     const std::size_t count = now ? now->sizes[way].size() : 1;
     counts_[way]->show(double(count));
-    const auto bound = design.grid ? design.bindings.find(countPlace(way)) : design.bindings.end();
-    counts_[way]->showExpression(bound == design.bindings.end() ? std::nullopt
-                                                                : std::optional(bound->second));
-    setLineVisible(sizes_[way], !listed && count > 1);
+    counts_[way]->showExpression(boundAt(countPlace(way)));
+    setLineVisible(sizes_[way], !listed && (count > 1 || design.grid));
     setLineVisible(gaps_[way], !listed && count > 1);
     if (!now) continue;
     sizes_[way]->show(now->sizes[way], expressionsAt(design, sizesPlace(way)));

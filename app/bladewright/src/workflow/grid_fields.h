@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <QObject>
 
 #include <array>
@@ -69,8 +71,8 @@ class LengthsField : public TypedField {
   QLabel* told_;
 };
 
-/// How many blocks lie side by side, how large they are and how far apart; edits go to the design, whose
-/// cuts follow.
+/// How many blocks lie side by side, how large they are and how far apart, and where the grid of them stands;
+/// edits go to the design, whose cuts follow.
 class GridFields : public QObject {
   Q_OBJECT
 
@@ -82,6 +84,10 @@ class GridFields : public QObject {
  private:
   void addCount(std::size_t way, const QString& name, const QString& tip, FormColumn* column);
   void changeCount(std::size_t way, int count, const std::optional<BoundNumber>& bound);
+  /// A number of where the grid stands, which the file tells at `place`, in units of `unit`.
+  NumberField* addPlace(const QString& name, const QString& tip, const QString& step,
+                        const NumberRange& range, Eigen::Vector3d BlockGrid::*member, int axis, double unit,
+                        const std::string& place, FormColumn* column);
   /// Changes the grid; `expressions` stand for what is told at `place` in the file, and below it.
   void change(const QString& text, const std::string& place, const LengthExpressions& expressions,
               const std::function<void(BlockGrid&)>& change);
@@ -91,6 +97,8 @@ class GridFields : public QObject {
   Workbench& bench_;
   std::array<NumberField*, 3> counts_;
   std::array<LengthsField*, 3> sizes_, gaps_;
+  std::array<NumberField*, 3> corner_;
+  NumberField* turn_;
   QLabel* listed_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace bw::app {
 
@@ -15,6 +16,9 @@ constexpr double kSliderMin = 2, kSliderMax = 1000;
 
 // The choices of how stations are counted.
 enum Mode { kByTolerance, kByNumber, kBySpacing };
+
+/// Of the kerf in the file of a design.
+const std::string kKerfPlace = "/process/kerf";
 
 /// Where none were found.
 constexpr int kUsualStations = 60;
@@ -136,21 +140,27 @@ void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
 void ProcessFields::addKerf(FormColumn* column) {
   const QString tip =
       tr("Where the blade passes slowly it melts more: widths in mm over speeds in mm/s, such as "
-         "5: 4.2, 20: 2.6. Each point of the blade then keeps half of the kerf at its own speed; in between "
-         "widths go evenly. Empty: the kerf above, at any speed");
+         "5: 4.2, 20: 2.6, each a number or an expression after a =. Each point of the blade then keeps half "
+         "of the kerf at its own speed; in between widths go evenly. Empty: the kerf above, at any speed");
   column->addWide(new QLabel(tr("Kerf over speed")))->setToolTip(tip);
   kerfTable_ = column->addWide(new KerfTableField);
   kerfTable_->setAccessibleName(tr("Kerf over speed"));
   kerfTable_->setToolTip(tip);
-  connect(kerfTable_, &KerfTableField::edited, this, [this](const KerfTable& table) {
-    // Going back to one width, that of the fastest point stays.
-    const Process& now = bench_.design().process;
-    const double width = table.empty() ? kerfAt(now.kerfTable, now.cuttingSpeed) : 0;
-    bench_.editDesign(tr("Change kerf over speed"), [&](Design& design) {
-      design.process.kerf = width;
-      design.process.kerfTable = table;
-    });
-  });
+  kerfTable_->setExpressions([this](const std::string& text) { return valueOver(bench_, text); });
+  connect(kerfTable_, &KerfTableField::edited, this,
+          [this](const KerfTable& table, const KerfExpressions& expressions) {
+            // Going back to one width, that of the fastest point stays.
+            const Process& now = bench_.design().process;
+            const double width = table.empty() ? kerfAt(now.kerfTable, now.cuttingSpeed) : 0;
+            bench_.editDesign(tr("Change kerf over speed"), [&](Design& design) {
+              design.process.kerf = width;
+              design.process.kerfTable = table;
+              std::erase_if(design.bindings, [](const auto& bound) {
+                return bound.first == kKerfPlace || bound.first.starts_with(kKerfPlace + "/");
+              });
+              for (const auto& [below, bound] : expressions) design.bindings[kKerfPlace + below] = bound;
+            });
+          });
 }
 
 void ProcessFields::addMargins(FormColumn* column, const Theme& theme) {
@@ -180,7 +190,10 @@ void ProcessFields::refresh() {
   if (!process.kerfTable.empty()) shown.kerf = kerfAt(process.kerfTable, process.cuttingSpeed);
   numbers_.refresh(shown);
   kerf_->setEnabled(process.kerfTable.empty());
-  kerfTable_->show(process.kerfTable);
+  KerfExpressions told;
+  for (const auto& [place, bound] : bench_.design().bindings)
+    if (place.starts_with(kKerfPlace + "/")) told.emplace(place.substr(kKerfPlace.size()), bound);
+  kerfTable_->show(process.kerfTable, told);
   extend_->show(int(process.extend));
   // What is asked of fits counts where there are any: beside the others for blocks that go on in each other.
   const bool fits = process.extend == Extension::none || bench_.design().stock.size() > 1;
