@@ -4,6 +4,7 @@
 // Walls of many blocks: some of them are others, and pictures in motion.
 #include <limits>
 
+#include "bw/scene/navigation.h"
 #include "scene_fixture.h"
 #include "wall_scene.h"
 
@@ -135,6 +136,48 @@ TEST(WallScene, IsDrawnCoarserOnlyWhileItMoves) {
       far += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) > 90 ? 1 : 0;
     }
   EXPECT_LT(far, kWide * kHigh / 50) << "it shows the same but for the smoothing of edges";
+}
+
+TEST(WallScene, PicturesInMotionShowWhatOneFromThereWould) {
+  test::WallScene wall = smallWall();
+  wall.panel = {33, 7, 101, 0.5};
+  const Content content = test::wallContent(wall);
+  Style style;
+  style[Kind::cut].map = "deviation";
+  style.isolines = true;
+  style.softShadows = false;
+  Scene moved;
+  moved.setContent(content);
+  moved.setStyle(style);
+  moved.setCamera(moved.fitCamera(View::iso, double(kWide) / kHigh));
+  ASSERT_TRUE(moved.render(kWide, kHigh));
+  moved.setDraft(true);
+  // Values of isolines come into sight and go, and others take their places.
+  for (int step = 0; step < 6; ++step) {
+    moved.setCamera(orbit(moved.camera(), moved.camera().focus, 0.25, 0.04));
+    ASSERT_TRUE(moved.render(kWide, kHigh));
+  }
+  Scene from;
+  from.setContent(content);
+  from.setStyle(style);
+  from.setCamera(moved.camera());
+  from.setDraft(true);
+  const Result<Picture> is = moved.render(kWide, kHigh), wanted = from.render(kWide, kHigh);
+  ASSERT_TRUE(is && wanted);
+  EXPECT_EQ(is->rgb, wanted->rgb);
+  ASSERT_FALSE(moved.overlay().texts.empty());
+  ASSERT_EQ(moved.overlay().texts.size(), from.overlay().texts.size());
+  for (std::size_t i = 0; i < from.overlay().texts.size(); ++i)
+    EXPECT_EQ(moved.overlay().texts[i].text, from.overlay().texts[i].text);
+  // At rest it is as fine as ever.
+  for (Scene* scene : {&moved, &from}) scene->setDraft(false);
+  const Result<Picture> rest = moved.render(kWide, kHigh), fresh = from.render(kWide, kHigh);
+  ASSERT_TRUE(rest && fresh);
+  EXPECT_EQ(rest->rgb, fresh->rgb);
+  std::filesystem::create_directories(BW_TEST_OUTPUT);
+  for (const auto& [name, picture] : {std::pair("moving", &*is), {"resting", &*rest}})
+    std::ofstream(std::string(BW_TEST_OUTPUT) + "/scene-wall-" + name + ".png", std::ios::binary)
+        << *pngBytes(*picture);
 }
 
 }  // namespace

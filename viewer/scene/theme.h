@@ -12,6 +12,7 @@ struct Rgb {
     return {double((value >> 16) & 255) / 255.0, double((value >> 8) & 255) / 255.0,
             double(value & 255) / 255.0};
   }
+  bool operator==(const Rgb&) const = default;
 };
 
 /// `a` at t = 0, `b` at t = 1.

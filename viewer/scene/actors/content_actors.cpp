@@ -271,8 +271,8 @@ void ContentActors::update(const Style& style, double depthPerMillimetre, double
     if (row.covered(style)) triangles += row.mesh.triangles.size();
   const int stride =
       draft ? std::max(1, int(std::ceil(std::sqrt(double(triangles) / double(kDraftTriangles))))) : 1;
-  for (CutActors& cut : cuts_) cut.update(line, stride);
-  for (StationLines& stations : stations_) stations.update(style, line, millimetresPerPixel);
+  for (CutActors& cut : cuts_) cut.update(line, stride, draft);
+  for (StationLines& stations : stations_) stations.update(style, line, millimetresPerPixel, stride, draft);
   for (BlockActors& block : blocks_) block.update(line);
 }
 

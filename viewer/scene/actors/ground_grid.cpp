@@ -145,7 +145,7 @@ void GroundGrid::labelEdge(int axis, const Projection& view, int width, int heig
     if (away.norm() < 1e-6) continue;
     const std::string text =
         tickText((double(first) + k) * step_, step_ < 1 ? 1 : 0, false) + (unitSaid ? "" : " mm");
-    const double half = 0.5 * Canvas::textWidth(text, look) + 4, reach = 10 * pixelRatio_;
+    const double half = 0.5 * labels_.textWidth(text, look) + 4, reach = 10 * pixelRatio_;
     const Eigen::Vector2d direction = away.normalized();
     const double x = anchor.x() + direction.x() * (14 * pixelRatio_ + 0.7 * half);
     const double y = anchor.y() + direction.y() * 14 * pixelRatio_;

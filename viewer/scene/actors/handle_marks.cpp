@@ -105,7 +105,7 @@ void HandleMarks::update(const Projection& view, int width, int height, const St
       std::ranges::copy(wrapped(paragraph, kColumns, kMostLines), std::back_inserter(lines));
     const TextLook look{12 * px, false, colors.text};
     double textWidth = 0;
-    for (const std::string& text : lines) textWidth = std::max(textWidth, Canvas::textWidth(text, look));
+    for (const std::string& text : lines) textWidth = std::max(textWidth, canvas_.textWidth(text, look));
     const double w = std::ceil(textWidth) + 2 * kPadding * px,
                  h = double(lines.size()) * kTextLine * px + (kPadding - 2) * px, away = kAway * px,
                  margin = kMargin * px;

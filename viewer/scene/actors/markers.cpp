@@ -196,7 +196,7 @@ void PlaceMarker::update(const Projection& view, int width, int height, const St
   const std::vector<std::string> lines = wrapped(style.marker->text, kColumns, kLines);
   const TextLook look{12 * px, false, colors.text};
   double textWidth = 0;
-  for (const std::string& line : lines) textWidth = std::max(textWidth, Canvas::textWidth(line, look));
+  for (const std::string& line : lines) textWidth = std::max(textWidth, canvas_.textWidth(line, look));
   const double w = std::ceil(textWidth) + 2 * kPadding * px,
                h = double(lines.size()) * kLine * px + 2 * (kPadding - 3) * px, away = kAway * px,
                margin = kMargin * px;

@@ -31,6 +31,14 @@ Eigen::Vector3d pointAt(const Polyline& line, double arc) {
   return line.back();
 }
 
+/// Every so-many-th point of a line, and the last.
+Polyline thinned(const Polyline& line, int stride) {
+  Polyline some;
+  for (std::size_t i = 0; i + 1 < line.size(); i += std::size_t(stride)) some.push_back(line[i]);
+  some.push_back(line.back());
+  return some;
+}
+
 /// Gives a surface the values of a field, one a point. VTK only reads through this pointer.
 void shareField(Part& part, const Field& field, const std::vector<double>& values) {
   const auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -71,7 +79,7 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
     if (drawn == kMost) break;
     const Eigen::Vector3d pixel = view.toPixel(place.point);
     if (!view.parallel() && pixel.z() <= 0) continue;
-    const double w = Canvas::textWidth(place.text, look) + 2 * kPadding * pixelRatio,
+    const double w = canvas_.textWidth(place.text, look) + 2 * kPadding * pixelRatio,
                  h = kHeight * pixelRatio, air = kAir * pixelRatio;
     const PixelRect box{pixel.x() - 0.5 * w, pixel.y() - 0.5 * h, w, h};
     const PixelRect wide{box.x - air, box.y - air, w + 2 * air, h + 2 * air};
@@ -170,12 +178,7 @@ void CutActors::makeCoarse(int stride) {
 void CutActors::makeCoarseLines(int stride) {
   lineStride_ = stride;
   std::vector<Polyline> drawn;
-  for (const Isoline& isoline : lines_) {
-    Polyline& line = drawn.emplace_back();
-    for (std::size_t i = 0; i + 1 < isoline.line.size(); i += std::size_t(stride))
-      line.push_back(isoline.line[i]);
-    line.push_back(isoline.line.back());
-  }
+  for (const Isoline& isoline : lines_) drawn.push_back(thinned(isoline.line, stride));
   coarseLines_.setLines(drawn);
 }
 
@@ -246,7 +249,8 @@ void CutActors::label(IsolineLabels& labels, double diagonal) const {
       lines_, [&](double level) { return tickText(level, levels_.decimals, sign); }, diagonal);
 }
 
-void CutActors::update(double line, int stride) {
+void CutActors::update(double line, int stride, bool draft) {
+  for (Part* part : {&edges_, &isolines_, &coarseLines_}) part->setBare(draft);
   const bool coarse = shown_ && stride > 1 && row_->mesh.normals.size() == row_->cut->grid.points.size();
   if (coarse && stride != stride_) makeCoarse(stride);
   surface_.setVisible(shown_ && !coarse);
@@ -328,18 +332,24 @@ void StationLines::addExtensions(std::size_t index, Extensions& extensions) cons
   }
 }
 
-void StationLines::rebuild() {
-  const std::vector<Polyline>&stations = *row_->stations, &blades = *row_->blades;
+bool StationLines::drawn(std::size_t index) const {
+  const std::size_t count = std::max(row_->stations->size(), row_->blades->size());
+  return index % std::size_t(stride_) == 0 || index + 1 == count;  // the first and the last are always there
+}
+
+void StationLines::rebuildStations() {
   std::vector<Polyline> lines;
-  Extensions extensions;
-  const std::size_t count = std::max(stations.size(), blades.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    // The first and the last are always there.
-    if (i % std::size_t(stride_) != 0 && i + 1 != count) continue;
-    if (i < stations.size() && usable(stations[i])) lines.push_back(stations[i]);
-    if (bladesShown_ && i < blades.size()) addExtensions(i, extensions);
-  }
+  for (std::size_t i = 0; i < row_->stations->size(); ++i)
+    if (const Polyline& line = (*row_->stations)[i]; drawn(i) && usable(line))
+      lines.push_back(thinned(line, along_));
   stations_.setLines(lines);
+}
+
+void StationLines::rebuild() {
+  rebuildStations();
+  Extensions extensions;
+  for (std::size_t i = 0; bladesShown_ && i < row_->blades->size(); ++i)
+    if (drawn(i)) addExtensions(i, extensions);
   bladesInside_.setLines(extensions.solid);
   bladeDashes_.setSegments(extensions.dashed);
   valid_ = true;
@@ -372,8 +382,10 @@ void StationLines::setStyle(const Style& style, const Rgb& background) {
   }
 }
 
-void StationLines::update(const Style& style, double depthShift, double millimetresPerPixel) {
+void StationLines::update(const Style& style, double depthShift, double millimetresPerPixel, int along,
+                          bool draft) {
   if (!row_) return;
+  for (Part* part : parts()) part->setBare(draft);
   stations_.setDepthShift(depthShift);
   for (Part* part : {&selected_, &selectedDashes_}) part->setDepthShift(2 * depthShift);
 
@@ -386,9 +398,13 @@ void StationLines::update(const Style& style, double depthShift, double millimet
     stride = candidate;
     if (spacing * candidate >= kLeastSpacing) break;
   }
+  const bool other = along != along_;
+  along_ = along;
   if (stride != stride_ || !valid_) {
     stride_ = stride;
     rebuild();
+  } else if (other) {
+    rebuildStations();
   }
 }
 

@@ -55,8 +55,9 @@ class CutActors {
   void setContent(const Row* row);
   void setStyle(const Style& style, const Rgb& background);
   /// `line` is the depth shift that brings a line before the surface that it lies on. Of the rows and columns
-  /// of the surface every `stride`-th is drawn, and the last; so are the points of its isolines.
-  void update(double line, int stride);
+  /// of the surface every `stride`-th is drawn, and the last; so are the points of its isolines. Lines of a
+  /// `draft` are drawn bare.
+  void update(double line, int stride, bool draft);
   /// Adds the values that stand on its isolines, if they are shown.
   void label(IsolineLabels& labels, double diagonal) const;
   /// Largest deviation, mm.
@@ -96,8 +97,9 @@ class StationLines {
   void setDiagonal(double diagonal);
   void setStyle(const Style& style, const Rgb& background);
   /// Settles what depends on the view: the depth by which the lines stand before the surface that they lie
-  /// on, and how many are drawn, from the size of a pixel at the focus.
-  void update(const Style& style, double depthShift, double millimetresPerPixel);
+  /// on, and how many are drawn, from the size of a pixel at the focus. Of the points of a station every
+  /// `along`-th is drawn, and the last.
+  void update(const Style& style, double depthShift, double millimetresPerPixel, int along, bool draft);
 
  private:
   /// A blade beyond its station.
@@ -107,12 +109,15 @@ class StationLines {
   };
   void select(int index);
   void addExtensions(std::size_t index, Extensions& extensions) const;
+  bool drawn(std::size_t index) const;
+  void rebuildStations();
   void rebuild();
 
   Part stations_, selected_, selectedDashes_, bladesInside_, bladeDashes_;
   const Row* row_ = nullptr;
   bool valid_ = false, bladesShown_ = false;
   int stride_ = 1;  ///< every how many-th station is drawn
+  int along_ = 1;   ///< and of its points
   int selectedIndex_ = -1;
   double dash_ = 1;     ///< mm
   double spacing_ = 0;  ///< mm, mean distance of neighbours

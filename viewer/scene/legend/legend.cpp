@@ -137,14 +137,14 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   if (deviation && map.tolerance > 0) marks = {-map.tolerance, map.tolerance};
   if (map.limit) marks = {*map.limit};
   double labelWidth = 0;
-  for (const double v : ticks.values) labelWidth = std::max(labelWidth, Canvas::textWidth(textAt(v), label));
+  for (const double v : ticks.values) labelWidth = std::max(labelWidth, canvas_.textWidth(textAt(v), label));
   for (const double v : marks)
-    labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals + 1, deviation), small));
+    labelWidth = std::max(labelWidth, canvas_.textWidth(tickText(v, ticks.decimals + 1, deviation), small));
   double inner = histogramWidth + gap + barWidth + labelGap + labelWidth;
-  const double titleWidth = Canvas::textWidth(field.title, title);
-  const double unitWidth = field.unit.empty() ? 0 : pixels(6) + Canvas::textWidth(field.unit, small);
+  const double titleWidth = canvas_.textWidth(field.title, title);
+  const double unitWidth = field.unit.empty() ? 0 : pixels(6) + canvas_.textWidth(field.unit, small);
   inner = std::max(inner, titleWidth + unitWidth);
-  for (const std::string& note : notes) inner = std::max(inner, Canvas::textWidth(note, small));
+  for (const std::string& note : notes) inner = std::max(inner, canvas_.textWidth(note, small));
   inner = std::ceil(inner);
 
   const double head = pixels(13) + pixels(20), noteStep = pixels(17),

@@ -59,24 +59,17 @@ Typeface findTypeface() {
 
 constexpr int kDpi = 72;  ///< makes a font's point one pixel
 
+int fontSize(const TextLook& look) { return std::max(6, int(std::lround(look.size))); }
+
 void applyLook(vtkTextProperty* property, const TextLook& look) {
   useInterfaceFont(property, look.bold);
-  property->SetFontSize(std::max(6, int(std::lround(look.size))));
+  property->SetFontSize(fontSize(look));
   property->SetColor(look.color.r, look.color.g, look.color.b);
   property->SetJustificationToLeft();
   property->SetVerticalJustificationToBottom();
 }
 
-struct TextBox {
-  int left = 0, bottom = 0, width = 0, height = 0;  ///< of the ink, from the anchor, y upwards
-};
-
-TextBox measure(const std::string& text, vtkTextProperty* property) {
-  std::array<int, 4> box{};
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (!renderer || !renderer->GetBoundingBox(property, text, box.data(), kDpi)) return {};
-  return {box[0], box[2], box[1] - box[0] + 1, box[3] - box[2] + 1};
-}
+constexpr std::size_t kMostMeasured = 2000;  ///< texts that are known with their size
 
 }  // namespace
 
@@ -114,7 +107,7 @@ void Canvas::begin(int height) {
   colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors_->SetNumberOfComponents(4);
   texts_.clear();
-  used_ = 0;
+  placed_.clear();
 }
 
 void Canvas::vertex(double x, double y, const Rgb& color, double opacity) {
@@ -183,27 +176,66 @@ void Canvas::disc(double x, double y, double radius, const Rgb& color) {
   fan(first, steps);
 }
 
+const Canvas::TextBox& Canvas::measured(const std::string& text, const TextLook& look) {
+  if (measured_.size() >= kMostMeasured) measured_.clear();
+  const auto [place, fresh] = measured_.try_emplace({text, fontSize(look), look.bold});
+  TextBox& ink = place->second;
+  if (!fresh) return ink;
+  const auto property = vtkSmartPointer<vtkTextProperty>::New();
+  applyLook(property, look);
+  std::array<int, 4> box{};
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  if (renderer && renderer->GetBoundingBox(property, text, box.data(), kDpi))
+    ink = {box[0], box[2], box[1] - box[0] + 1, box[3] - box[2] + 1};
+  return ink;
+}
+
 void Canvas::text(const std::string& text, double x, double y, Align align, const TextLook& look) {
-  if (used_ == textActors_.size()) {
-    const auto actor = vtkSmartPointer<vtkTextActor>::New();
-    actor->PickableOff();
-    if (behind_) actor->GetProperty()->SetDisplayLocationToBackground();
-    if (renderer_) renderer_->AddActor2D(actor);
-    textActors_.push_back(actor);
-  }
-  vtkTextActor* actor = textActors_[used_++];
-  applyLook(actor->GetTextProperty(), look);
-  actor->SetInput(text.c_str());
-  const TextBox ink = measure(text, actor->GetTextProperty());
-  const TextBox digits = measure("0", actor->GetTextProperty());
+  const TextBox digits = measured("0", look), ink = measured(text, look);
   const double left = align == Align::left ? x : align == Align::center ? x - 0.5 * ink.width : x - ink.width;
   const double anchorX = std::floor(left + 0.5) - ink.left;
   const double anchorY = std::floor(height_ - y - 0.5 * digits.height + 0.5) - digits.bottom;
-  actor->SetPosition(anchorX, anchorY);
-  actor->VisibilityOn();
+  placed_.push_back({text, look, anchorX, anchorY});
   texts_.push_back({text,
                     {anchorX + ink.left, height_ - (anchorY + ink.bottom + ink.height), double(ink.width),
                      double(ink.height)}});
+}
+
+void Canvas::put(const Placed& placed, TextActor& actor) {
+  if (!(actor.placed == placed)) {
+    applyLook(actor.actor->GetTextProperty(), placed.look);
+    actor.actor->SetInput(placed.text.c_str());
+  }
+  actor.placed = placed;
+  actor.actor->SetPosition(placed.x, placed.y);
+  actor.actor->VisibilityOn();
+}
+
+/// Gives each text an actor: that of the same text where there is one, since VTK draws a text anew wherever
+/// it is another, which costs more than all else that is done for it.
+void Canvas::placeTexts() {
+  std::size_t used = 0;
+  std::vector<const Placed*> others;
+  for (const Placed& placed : placed_) {
+    const auto same = std::find_if(textActors_.begin() + std::ptrdiff_t(used), textActors_.end(),
+                                   [&](const TextActor& actor) { return actor.placed == placed; });
+    if (same == textActors_.end()) {
+      others.push_back(&placed);
+      continue;
+    }
+    put(placed, *same);
+    std::swap(*same, textActors_[used++]);
+  }
+  for (const Placed* placed : others) {
+    if (used == textActors_.size()) {
+      TextActor& made = textActors_.emplace_back(TextActor{vtkSmartPointer<vtkTextActor>::New(), {}});
+      made.actor->PickableOff();
+      if (behind_) made.actor->GetProperty()->SetDisplayLocationToBackground();
+      if (renderer_) renderer_->AddActor2D(made.actor);
+    }
+    put(*placed, textActors_[used++]);
+  }
+  for (; used < textActors_.size(); ++used) textActors_[used].actor->VisibilityOff();
 }
 
 void Canvas::end() {
@@ -211,13 +243,9 @@ void Canvas::end() {
   data_->SetPolys(polygons_);
   data_->GetPointData()->SetScalars(colors_);
   actor_->SetVisibility(points_->GetNumberOfPoints() > 0);
-  for (std::size_t i = used_; i < textActors_.size(); ++i) textActors_[i]->VisibilityOff();
+  placeTexts();
 }
 
-double Canvas::textWidth(const std::string& text, const TextLook& look) {
-  const auto property = vtkSmartPointer<vtkTextProperty>::New();
-  applyLook(property, look);
-  return measure(text, property).width;
-}
+double Canvas::textWidth(const std::string& text, const TextLook& look) { return measured(text, look).width; }
 
 }  // namespace bw::scene

@@ -17,6 +17,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,9 @@ class Part {
   void setOpacity(double opacity);
   /// Colour and width, in pixels, of what are lines.
   void setLine(const Rgb& color, double pixels);
+  /// Whether fine lines are drawn bare, in a fraction of the time: for a picture that moves, whose edges are
+  /// not smoothed either.
+  void setBare(bool bare);
   /// Draws in plain colour, without light.
   void setFlat();
   /// Soft matte foam and card, or a picture of numbers that light must not bend too far.
@@ -73,6 +77,7 @@ class Part {
   vtkSmartPointer<vtkActor> actor_;
   vtkSmartPointer<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> data_;
+  double width_ = 1;  ///< pixels, of lines
 };
 
 /// Points, normals and triangles without copying: the vectors must outlive the data set's use of them.
@@ -89,6 +94,7 @@ struct TextLook {
   double size = 12;  ///< pixels
   bool bold = false;
   Rgb color;
+  bool operator==(const TextLook&) const = default;
 };
 
 /// Flat drawing over (or, if `behind`, under) the scene, in pixels from the upper left corner. Draw between
@@ -113,12 +119,31 @@ class Canvas {
   void end();
 
   /// Width of a text in pixels.
-  static double textWidth(const std::string& text, const TextLook& look);
+  double textWidth(const std::string& text, const TextLook& look);
   const std::vector<Overlay::Text>& texts() const { return texts_; }
 
  private:
+  /// The ink of a text, pixels from its anchor, y upwards.
+  struct TextBox {
+    int left = 0, bottom = 0, width = 0, height = 0;
+  };
+  /// A text where it stands, or stood in the last picture.
+  struct Placed {
+    std::string text;
+    TextLook look;
+    double x = 0, y = 0;  ///< of the anchor, from the lower left corner
+    bool operator==(const Placed& other) const { return text == other.text && look == other.look; }
+  };
+  struct TextActor {
+    vtkSmartPointer<vtkTextActor> actor;
+    Placed placed;
+  };
+
   void vertex(double x, double y, const Rgb& color, double opacity);
   void fan(int first, int count);
+  const TextBox& measured(const std::string& text, const TextLook& look);
+  void put(const Placed& placed, TextActor& actor);
+  void placeTexts();
 
   bool behind_;
   int height_ = 0;
@@ -128,9 +153,10 @@ class Canvas {
   vtkSmartPointer<vtkPoints> points_;
   vtkSmartPointer<vtkCellArray> polygons_;
   vtkSmartPointer<vtkUnsignedCharArray> colors_;
-  std::vector<vtkSmartPointer<vtkTextActor>> textActors_;
-  std::size_t used_ = 0;
+  std::vector<TextActor> textActors_;
+  std::vector<Placed> placed_;
   std::vector<Overlay::Text> texts_;
+  std::map<std::tuple<std::string, int, bool>, TextBox> measured_;  ///< of texts, their size and weight
 };
 
 /// What is drawn after what. Things of the world come first: what is solid, then what lets light through,

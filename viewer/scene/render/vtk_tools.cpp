@@ -23,11 +23,14 @@
 
 namespace bw::scene {
 
+constexpr double kFineLine = 1.2;  ///< pixels
+
 Part::Part()
     : actor_(vtkSmartPointer<vtkActor>::New()),
       mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
       data_(vtkSmartPointer<vtkPolyData>::New()) {
   mapper_->SetInputData(data_);
+  mapper_->StaticOn();  // nothing stands before the data: VTK need not ask, for each picture
   mapper_->ScalarVisibilityOff();
   actor_->SetMapper(mapper_);
   actor_->PickableOff();
@@ -54,9 +57,11 @@ void Part::setOpacity(double opacity) { property()->SetOpacity(opacity); }
 void Part::setLine(const Rgb& color, double pixels) {
   setColor(color);
   // Above one pixel VTK draws lines as thin rectangles, which multisampling smooths; bare GL lines look
-  // dotted.
-  property()->SetLineWidth(float(std::max(1.2, pixels)));
+  // dotted there.
+  width_ = std::max(kFineLine, pixels);
+  setBare(false);
 }
+void Part::setBare(bool bare) { property()->SetLineWidth(float(bare && width_ == kFineLine ? 1 : width_)); }
 void Part::setFlat() { property()->LightingOff(); }
 
 void Part::setMatte(double ambient, double diffuse, double specular) {
