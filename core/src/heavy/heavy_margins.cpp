@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_meter.h"
 #include "bw/core/base/units.h"
 
 namespace bw::heavy {
@@ -40,22 +41,23 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
     return matrix.bottomRightCorner(free, free);
   };
   const MatrixXd squares = reduced(modes.squares), reducedForm = reduced(form);
-  if (std::isfinite(below) &&
-      Eigen::LLT<MatrixXd>(reducedForm - kUnit * below * squares).info() == Eigen::Success)
-    return below;
   if (std::isfinite(below) && function) {
-    // Mostly it lies a little below: Newton's method for it from there (Rayleigh quotients), and a
-    // factorisation that shows that no other one is smaller.
-    constexpr double kSettled = 1e-10, kSure = 1e-7;
-    constexpr int kSteps = 8;
+    // Mostly it lies a little below: inverse iteration there, Newton's method from what that finds (Rayleigh
+    // quotients), and a factorisation that shows that no other one is smaller. What is left is of the third
+    // power of what a step changes.
+    constexpr double kSettled = 1e-7, kSure = 1e-7;
+    constexpr int kFirst = 3, kSteps = 8;
     VectorXd shape = VectorXd::LinSpaced(free, 2, 1);
     double value = kUnit * below;
     for (int i = 0; i < kSteps; ++i) {
-      shape = Eigen::PartialPivLU<MatrixXd>(reducedForm - value * squares).solve(squares * shape);
-      shape /= std::sqrt(shape.dot(squares * shape));
+      const Eigen::PartialPivLU<MatrixXd> factors(reducedForm - value * squares);
+      for (int k = 0; k < (i == 0 ? kFirst : 1); ++k) {
+        shape = factors.solve(squares * shape);
+        shape /= std::sqrt(shape.dot(squares * shape));
+      }
       const double next = shape.dot(reducedForm * shape);
-      const bool settled = i > 1 && std::abs(next - value) <= kSettled * kUnit;
-      if (i > 0) value = next;
+      const bool settled = i > 0 && std::abs(next - value) <= kSettled * kUnit;
+      value = next;
       if (!shape.allFinite() || !std::isfinite(value)) break;
       if (!settled) continue;
       if (value >= kUnit * below ||
@@ -67,6 +69,9 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
       return value / kUnit;
     }
   }
+  if (std::isfinite(below) &&
+      Eigen::LLT<MatrixXd>(reducedForm - kUnit * below * squares).info() == Eigen::Success)
+    return below;
   // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
   const double shift = kUnit * 64;
   const MatrixXd stiff = reducedForm + shift * squares;
@@ -110,10 +115,15 @@ ArrayXd curvatureOf(const Equations& equations) {
 /// A blade that leaves its plane by the angles φ: twice its energy, and ∫ φ, which vanishes.
 struct OutOfPlane {
   OutOfPlane(const Equations& equations, const ArrayXd& curvature, double torsionRatio)
-      : form(equations.hessian()), closed(moments(equations.modes(), ArrayXd::Ones(curvature.size()))) {
+      : closed(moments(equations.modes(), ArrayXd::Ones(curvature.size()))) {
     const Modes& modes = equations.modes();
-    form -= modes.values * (modes.weights.array() * curvature.square()).matrix().asDiagonal() *
-            modes.values.transpose();
+    const ArrayXd along = equations.sampled().along - curvature.square();
+    // Charged like the form in the plane, from which it differs by the square of the curvature.
+    detail::chargeWork(modes.count() * modes.count() * modes.nodes.size() / 400);
+    form = MatrixXd::Identity(modes.count(), modes.count());
+    form.triangularView<Eigen::Lower>() +=
+        (modes.values * (modes.weights.array() * along).matrix().asDiagonal()) * modes.values.transpose();
+    form.triangularView<Eigen::StrictlyUpper>() = form.transpose();
     const VectorXd coupling = moments(modes, curvature);
     form += torsionRatio * coupling * coupling.transpose();
   }
