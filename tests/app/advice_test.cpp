@@ -151,6 +151,40 @@ TEST(Advice, AnOpenLengthIsToldToServeOnlyWhereItsDesignDoes) {
   EXPECT_EQ(served.cut().lengths.value->best, served.cut().sweep.value->request.blade.length);
 }
 
+TEST(Advice, AnOpenLengthThatFailsAsADesignGivesPlaceToTheNextBest) {
+  Design design = panel("steel-tube-3-2.5", 800);
+  design.blade.autoLength = true;
+  Evaluation known = evaluated(design, Purpose::live);
+  CutEvaluation& cut = known.blocks[0].cuts[0];
+  ASSERT_TRUE(cut.lengths.value->best);
+  const double second = *cut.lengths.value->best;
+  // As if the sections that were tried had spoken for one that its whole row does not keep.
+  auto misled = std::make_shared<BladeLengths>(*cut.lengths.value);
+  RowTrial& first = misled->trials.back();
+  ASSERT_FALSE(first.serves());
+  first.rest = Rest::certain;
+  first.margin = 10;
+  first.reaches = true;
+  misled->best = first.length;
+  misled->designed = false;
+  cut.lengths.value = misled;
+  Outcome outcome = evaluate(design, &known, {}, Purpose::live);
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const CutEvaluation& taken = outcome.evaluation.cut();
+  EXPECT_EQ(taken.sweep.value->request.blade.length, second);
+  EXPECT_EQ(taken.lengths.value->best, second);
+  EXPECT_TRUE(taken.lengths.value->designed);
+  EXPECT_EQ(taken.lengths.value->nearest, misled->best);
+  EXPECT_EQ(taken.lengths.value->trials.back().rest, Rest::lost);
+  EXPECT_FALSE(hasErrors(outcome.evaluation.findings()));
+  // All that follows is of it, and stays.
+  EXPECT_EQ(taken.result()->sweep.poses.front().blade.length(), second);
+  const Outcome again = evaluate(design, &outcome.evaluation, {}, Purpose::live);
+  ASSERT_FALSE(again.error);
+  EXPECT_EQ(again.evaluation.cut().sweep.value, taken.sweep.value);
+  EXPECT_EQ(again.evaluation.cut().lengths.value, taken.lengths.value);
+}
+
 TEST(Advice, NoLengthServesWhoseBladesLieTooFarOffBetweenTheStations) {
   Design design = panel("nicr-flat-5x1", 720);  // at its 12 stations a blade of 675 mm would keep near enough
   design.blade.thickness = 0.6;
