@@ -15,6 +15,7 @@
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
+#include "bw/core/sweep/station_times.h"
 #include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -410,6 +411,42 @@ TEST(OnTheWay, StationsThatFollowTooSoonArePassedBy) {
   EXPECT_EQ(std::ranges::count(row.motion.reached, 1), 200);
   // The instants say after which station they are, in order.
   EXPECT_TRUE(std::ranges::is_sorted(row.motion.instants, {}, &RowMotion::Instant::station));
+}
+
+TEST(OnTheWay, StationsWithoutWhichNothingIsLostAreNoTargets) {
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
+  settings.blade.yieldStress = 2000;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  std::vector<double> travel;  // 0.12 s apart: none follows too soon
+  for (int i = 0; i < 400; ++i) travel.push_back(2.4 * i);
+  const OnSphere row = onSphere(2000, travel, settings);
+  EXPECT_EQ(row.motion.course.size(), travel.size());
+  EXPECT_LT(row.motion.targets.size(), 120u);
+  EXPECT_LE(row.way.fromShown, settings.motionTolerance);
+  EXPECT_TRUE(row.way.findings.empty());
+  EXPECT_EQ(row.motion.targets.front().index, 0);
+  EXPECT_EQ(row.motion.targets.back().index, 399);
+  Findings findings;
+  const std::vector<double> times = pauses(row, settings, findings);
+  EXPECT_GE(std::ranges::min(times), kTargetSeconds);
+  EXPECT_LE(std::ranges::max(times), 1 + kTargetSeconds);
+  EXPECT_TRUE(findings.empty());
+  // Every station has its time, target or not.
+  const Motion motion = buildMotion(row.sweep, {}, row.motion.targets, settings, findings).value();
+  const std::vector<double> at = stationTimes(motion, row.sweep.poses);
+  ASSERT_EQ(at.size(), travel.size());
+  for (std::size_t i = 1; i < at.size(); ++i) EXPECT_GT(at[i], at[i - 1]) << i;
+  for (const MotionInstant& instant : motion.instants)
+    if (instant.station >= 0) {
+      EXPECT_EQ(at[std::size_t(instant.station)], instant.time);
+    }
+  EXPECT_TRUE(stationTimes(Motion(), row.sweep.poses).empty());
+  // A finer tolerance asks for more of them.
+  settings.motionTolerance = 0.01;
+  const OnSphere finer = onSphere(2000, travel, settings);
+  EXPECT_GT(double(finer.motion.targets.size()), 1.5 * double(row.motion.targets.size()));
+  EXPECT_LE(finer.way.fromShown, settings.motionTolerance);
 }
 
 TEST(OnTheWay, TargetsThatTheToleranceCrowdsAreTold) {

@@ -9,6 +9,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/sweep/maps.h"
+#include "bw/core/sweep/station_times.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/run_identity.h"
@@ -180,18 +181,16 @@ std::string sweepJson(const std::vector<Strip>& strips, const std::string& run) 
   for (const Strip& strip : strips) {
     const CutResult result = *strip.cut->result();
     ordered_json stations = ordered_json::array();
-    const std::vector<MotionInstant>& instants = result.motion.instants;
-    std::size_t at = 0;
-    for (const BladePose& s : result.sweep.poses) {
+    const std::vector<double> times = stationTimes(result.motion, result.sweep.poses);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const BladePose& s = result.sweep.poses[i];
       ordered_json points = ordered_json::array();
       for (const Eigen::Vector3d& p : s.cutPoints(kSweepPoints)) points.push_back(vec(p));
-      while (at < instants.size() && instants[at].station != s.index) ++at;
-      stations.push_back(
-          {{"index", s.index},
-           {"time", at < instants.size() ? ordered_json(instants[at].time) : ordered_json(nullptr)},
-           {"points", points},
-           {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
-           {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
+      stations.push_back({{"index", s.index},
+                          {"time", times.empty() ? ordered_json(nullptr) : ordered_json(times[i])},
+                          {"points", points},
+                          {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
+                          {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
     }
     ordered_json part = {{"index", strip.index}, {"block", strip.block->id}, {"cut", strip.cut->id}};
     if (strips.size() > 1) {

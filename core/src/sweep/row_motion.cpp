@@ -31,6 +31,7 @@ constexpr double kSameShape = 0.1;  // mm: a blade arrives in the shape of its s
 constexpr int kMostMoves = 40;      // from station to station
 constexpr double kRoom = 1.15;      // in how far the way is off for each number of moves
 constexpr double kOfChords = 0.6;   // of the tolerance: the rest is left to the surface between the targets
+constexpr double kLongest = 1;      // s of a move past stations: whoever steps through a program sees the row
 
 /// The way of the blade from one station to another.
 struct Way {
@@ -66,14 +67,12 @@ class Follower {
     return best;
   }
 
-  /// From station i to j in one move, where that keeps within so much of the smooth way.
-  std::optional<Way> past(std::size_t i, std::size_t j, double tolerance) const {
+  /// From station i to j in one move, past those between.
+  Way past(std::size_t i, std::size_t j) const {
     const bool taut = sweep::isTaut(row_.poses[i]);
     for (std::size_t k = i + 1; k <= j; ++k)
       if (sweep::isTaut(row_.poses[k]) != taut) return {};
-    Way way = follow(i, j, 1);
-    if (way.end != Way::End::arrives || way.off > tolerance) return {};
-    return way;
+    return follow(i, j, 1);
   }
 
   /// The station before places of the blade on the way.
@@ -257,26 +256,46 @@ Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, cons
   }
   if (n > 0) motion.course.push_back(row.poses.back());
 
-  // Stations that follow too soon are passed by.
+  // Stations without which the blade keeps as near to the smooth way are passed by.
   const Pace pace(row, request.cuttingSpeed);
+  std::size_t reach = n;  // stations that a move went, the last time
   for (std::size_t i = 0; i + 1 < n;) {
     if (context.stopped()) return stoppedError();
     motion.targets.push_back(row.poses[i]);
     const auto plain = [&](std::size_t k) {
       return k + 1 < n && ways[k].end == Way::End::arrives && ways[k].targets.empty();
     };
+    // The next station from which one move leads on in time; what is left of plain ones ends there otherwise.
+    const auto inTime = [&](std::size_t from) {
+      std::size_t to = from;
+      while (plain(to) && pace.seconds(from, to) < kTargetSeconds) ++to;
+      return to;
+    };
+    const auto crowds = [&](std::size_t k) {
+      return pace.seconds(k, inTime(k)) < kTargetSeconds && plain(k);
+    };
     std::size_t next = i + 1;
     if (plain(i)) {
-      while (pace.seconds(i, next) < kTargetSeconds && plain(next)) ++next;
-      std::size_t end = next;  // with what is left of a row that ends too soon after it
-      while (plain(end) && pace.seconds(next, end) < kTargetSeconds) ++end;
-      if (end + 1 == n && pace.seconds(next, end) < kTargetSeconds) next = end;
-    }
-    for (; next > i + 1; next = i + (next - i) / 2)
-      if (std::optional<Way> past = follower.past(i, next, tolerance)) {
-        ways[i] = std::move(*past);
-        break;
+      const std::size_t soonest = inTime(i);
+      std::size_t last = soonest;
+      while (plain(last) && pace.seconds(i, last + 1) <= kLongest) ++last;
+      next = std::clamp(i + reach + std::max<std::size_t>(1, reach / 4), soonest, last);
+      if (crowds(next)) next = inTime(next);
+      while (next > i + 1) {
+        Way past = follower.past(i, next);
+        const bool arrives = past.end == Way::End::arrives;
+        if (arrives && past.off <= tolerance) {
+          ways[i] = std::move(past);
+          break;
+        }
+        // How far the way is off grows with the square of its length.
+        const std::size_t span = next - i;
+        const double part = arrives ? std::sqrt(tolerance / (kRoom * past.off)) : 0.5;
+        next = i + std::clamp<std::size_t>(std::size_t(part * double(span)), 1, span - 1);
+        while (next > soonest && crowds(next)) --next;
       }
+      reach = next - i;
+    }
     for (std::vector<Vector3d>& places : ways[i].places) {
       const std::size_t station = next == i + 1 ? i : follower.before(places);
       motion.instants.push_back({station, std::move(places)});

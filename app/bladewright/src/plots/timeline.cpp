@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "bw/core/sweep/row_certainty.h"
+#include "bw/core/sweep/station_times.h"
 #include "bw/core/text/number_text.h"
 #include "controls/theme.h"
 
@@ -46,14 +47,10 @@ void Timeline::rebuild() {
                                  : AxisRange{0, end_};
   if (const auto result = bench_.sweep()) {
     const std::vector<StationNumbers> numbers = stationNumbers(*result);
-    samples_.reserve(numbers.size());
-    std::size_t i = 0;
-    // Instants with a station come in the order of the stations.
-    for (const MotionInstant& instant : result->motion.instants)
-      if (instant.station >= 0 && i < numbers.size()) {
-        samples_.push_back({instant.time, numbers[i].speedMin, numbers[i].speedMax, numbers[i].stress});
-        ++i;
-      }
+    const std::vector<double> times = stationTimes(result->motion, result->sweep.poses);
+    samples_.reserve(times.size());
+    for (std::size_t i = 0; i < std::min(times.size(), numbers.size()); ++i)
+      samples_.push_back({times[i], numbers[i].speedMin, numbers[i].speedMax, numbers[i].stress});
   }
   margins_.clear();
   const pipeline::CutEvaluation* cut = bench_.shownCut();

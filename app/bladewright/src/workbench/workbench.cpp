@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bw/core/design/blade_bindings.h"
+#include "bw/core/sweep/station_times.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/words/findings.h"
@@ -204,30 +205,20 @@ void Workbench::setMoving(bool moving) {
 
 double Workbench::timeOfStation(int station) const {
   const auto result = sweep();
-  if (!result || station < 0 || std::size_t(station) >= result->sweep.poses.size()) return 0;
-  const int index = result->sweep.poses[std::size_t(station)].index;
-  for (const MotionInstant& instant : result->motion.instants)
-    if (instant.station == index) return instant.time;
-  return 0;
+  if (!result || station < 0) return 0;
+  const std::vector<double> times = stationTimes(result->motion, result->sweep.poses);
+  return std::size_t(station) < times.size() ? times[std::size_t(station)] : 0;
 }
 
 double Workbench::stationAt(double seconds) const {
   const auto result = sweep();
   if (!result || result->sweep.poses.empty()) return -1;
-  const std::size_t count = result->sweep.poses.size();
-  double before = -1;
-  std::size_t station = 0;
-  for (const MotionInstant& instant : result->motion.instants) {
-    if (instant.station < 0 || station >= count) continue;
-    if (instant.time >= seconds) {
-      if (station == 0) return 0;
-      const double span = instant.time - before;
-      return double(station - 1) + (span > 0 ? std::clamp((seconds - before) / span, 0.0, 1.0) : 1.0);
-    }
-    before = instant.time;
-    ++station;
-  }
-  return double(count) - 1;
+  const std::vector<double> times = stationTimes(result->motion, result->sweep.poses);
+  const auto next = std::ranges::lower_bound(times, seconds);
+  if (next == times.end()) return double(result->sweep.poses.size()) - 1;
+  if (next == times.begin()) return 0;
+  const double before = *std::prev(next);
+  return double(next - times.begin() - 1) + (seconds - before) / (*next - before);
 }
 
 std::vector<Eigen::Vector3d> Workbench::bladeAt(double seconds) const {

@@ -20,8 +20,8 @@ struct RowMotion {
   /// All stations in the order of travel, and poses between them (of index −1) where the blade would leave
   /// the smooth way through the stations without. The surface goes through them.
   std::vector<BladePose> course = {};
-  /// Where robots have their targets: of these all but stations that would follow in less than
-  /// kTargetSeconds, as far as the blade keeps as near to the smooth way without them.
+  /// Where robots have their targets: of these all but stations without which the blade keeps as near to the
+  /// smooth way, in moves of a second at most, which take kTargetSeconds or more where they can.
   std::vector<BladePose> targets = {};
   /// The blade between two targets.
   struct Instant {
