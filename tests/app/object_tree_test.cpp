@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The tree of objects: what is shown, what is locked, and how it is called.
+#include "bw/core/design/surface_curves.h"
 #include "bw/core/design/variables.h"
 #include "controls/fields.h"
+#include "window/curve_handles.h"
 #include "window_fixture.h"
+#include "workflow/section_edits.h"
 
 namespace bw::app {
 namespace {
@@ -34,6 +37,26 @@ class ObjectTreeTest : public WindowTest {
     QTest::qWait(0);
   }
 
+  /// Puts the cursor on a handle; its place then.
+  QPoint hover(int handle) {
+    view::SceneView& view = window().sceneView();
+    QPoint at;
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          // Panels that get other texts may still take room from the view.
+          const auto place = [&] {
+            return view.toWidget(view.sceneStyle().handles.points[std::size_t(handle)]).toPoint();
+          };
+          if (!view.resting()) return false;
+          at = place();
+          QTest::mouseMove(&view, at);
+          return view.sceneStyle().handles.lit == handle && place() == at;
+        },
+        kPatience))
+        << handle;
+    return at;
+  }
+
   bool sees(scene::Kind kind, const scene::ItemId& id) {
     return window().sceneView().sceneStyle().of(kind, id).visible;
   }
@@ -58,8 +81,9 @@ TEST_F(ObjectTreeTest, ListsBlocksCutsSurfacesCurvesAndStations) {
   EXPECT_EQ(tree().topLevelItemCount(), 3);
   QTreeWidgetItem* surface = line(Kind::surface, "surface");
   ASSERT_TRUE(surface);
+  surface->setExpanded(true);
   ASSERT_EQ(surface->childCount(), 3);
-  EXPECT_EQ(surface->child(1)->text(0), "Curve 2, y = 400 mm");
+  EXPECT_EQ(surface->child(1)->text(0), "Section 2, y = 400 mm");
   QTreeWidgetItem* stations = line(Kind::stations, "cut-column-2");
   ASSERT_TRUE(stations);
   EXPECT_EQ(stations->text(0), "33 stations");
@@ -255,9 +279,7 @@ TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {
   picture("objects-locked");
   // A handle that is pulled.
   view::SceneView& view = window().sceneView();
-  const QPoint at = view.toWidget(view.sceneStyle().handles.points[9]).toPoint();
-  QTest::mouseMove(&view, at);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view.sceneStyle().handles.lit == 9; }, kPatience));
+  const QPoint at = hover(9);
   QTest::mousePress(&view, Qt::LeftButton, {}, at);
   for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, at - QPoint(0, 5 * i));
   QTest::mouseRelease(&view, Qt::LeftButton, {}, at - QPoint(0, 25));
@@ -326,6 +348,192 @@ TEST_F(ObjectTreeTest, AnotherNameStandsEverywhere) {
   ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "column-1"), "left"));
   EXPECT_TRUE(line(Kind::block, "column-1"));
   EXPECT_TRUE(window().banner().text().contains("from their place"));
+}
+
+TEST_F(ObjectTreeTest, ACurveIsChosenInTheTreeAndInThePicture) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  const auto chosen = [&] { return window().surfaceHandles().chosen(); };
+  const DesignedSurface& loft = *bench().source().surface;
+  EXPECT_FALSE(line(Kind::curve, "surface/2")) << "folded away";
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::name));
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::surface);
+  EXPECT_EQ(chosen(), handlesOf(loft, 1));
+  EXPECT_EQ(chosen().size(), std::get<SectionsSurface>(loft.shape).sections[1].points.size());
+  EXPECT_EQ(window().sceneView().sceneStyle().handles.chosen, chosen());
+  EXPECT_EQ(tree().currentItem(), line(Kind::curve, "surface/2"));
+  picture("curve-chosen");
+  // They move together, by the keyboard at the picture.
+  const auto heights = [&](int curve) {
+    std::vector<double> all;
+    for (const Eigen::Vector2d& point :
+         std::get<SectionsSurface>(bench().source().surface->shape).sections[std::size_t(curve)].points)
+      all.push_back(point.y());
+    return all;
+  };
+  const std::vector<double> before = heights(1), others = heights(2);
+  window().sceneView().setFocus();
+  QTest::keyClick(&window().sceneView(), Qt::Key_Up);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(heights(1)[i] - before[i], heights(1)[0] - before[0], 1e-9);
+  EXPECT_NE(heights(1), before);
+  EXPECT_EQ(heights(2), others);
+  EXPECT_EQ(tree().currentItem(), line(Kind::curve, "surface/2")) << "while it moves, too";
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settleInFull());
+  // A handle of another one that is pressed in the picture.
+  view::SceneView& view = window().sceneView();
+  const int handle = handlesOf(*bench().source().surface, 2)[1];
+  const QPoint at = hover(handle);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  EXPECT_EQ(chosen(), std::vector<int>{handle});
+  EXPECT_EQ(tree().currentItem(), line(Kind::curve, "surface/3"));
+  // Handles of two are no curve, and a station that is selected takes the mark.
+  window().surfaceHandles().choose({handle, 0});
+  EXPECT_EQ(tree().currentItem(), line(Kind::surface, "surface"));
+  bench().selectStation(3);
+  EXPECT_EQ(tree().currentItem(), line(Kind::stations, "cut-column-1"));
+  // The surface itself has none chosen.
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::surface, "surface"), ObjectTree::name));
+  EXPECT_TRUE(chosen().empty());
+  // Where curves are folded away, their surface is marked.
+  line(Kind::surface, "surface")->setExpanded(false);
+  window().surfaceHandles().choose({handle});
+  EXPECT_EQ(tree().currentItem(), line(Kind::surface, "surface"));
+}
+
+TEST_F(ObjectTreeTest, RowsOfPolesAndKeyBladesAreCurvesToo) {
+  ASSERT_NO_FATAL_FAILURE(open("single-block"));
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_EQ(line(Kind::surface, "surface")->childCount(), 6);
+  EXPECT_EQ(line(Kind::curve, "surface/2")->text(0), "Row 2, y = 160 mm");
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::name));
+  EXPECT_EQ(window().surfaceHandles().chosen(), (std::vector<int>{4, 5, 6, 7}));
+  // They have their names from their place: F2 opens nothing, and a double click neither.
+  QTest::keyClick(&tree(), Qt::Key_F2);
+  EXPECT_FALSE(tree().viewport()->findChild<QLineEdit*>());
+  picture("row-chosen");
+  ASSERT_NO_FATAL_FAILURE(open("key-blade-fan"));
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_EQ(line(Kind::surface, "surface")->childCount(), 4);
+  EXPECT_TRUE(line(Kind::curve, "surface/4")->text(0).startsWith("Key blade 4, y = "));
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::name));
+  EXPECT_EQ(window().surfaceHandles().chosen(), (std::vector<int>{6, 7, 1})) << "ends and middle";
+  // All of it goes up as it is.
+  const auto blade = [&] { return std::get<BladesSurface>(bench().source().surface->shape).blades[1]; };
+  const KeyBlade before = blade();
+  window().sceneView().setFocus();
+  QTest::keyClick(&window().sceneView(), Qt::Key_Up);
+  EXPECT_GT(blade().middle.y(), before.middle.y());
+  EXPECT_NEAR(blade().angle, before.angle, 1e-9);
+  EXPECT_EQ(blade().middle.x(), before.middle.x());
+  picture("key-blade-chosen");
+  // A formula has none.
+  ASSERT_NO_FATAL_FAILURE(open("ripple-along"));
+  EXPECT_EQ(line(Kind::surface, "surface")->childIndicatorPolicy(),
+            QTreeWidgetItem::DontShowIndicatorWhenChildless);
+}
+
+TEST_F(ObjectTreeTest, ACurveThatIsHiddenHasNoHandles) {
+  ASSERT_NO_FATAL_FAILURE(open("key-blade-fan"));
+  view::SceneView& view = window().sceneView();
+  const auto handles = [&]() -> const scene::Handles& { return view.sceneStyle().handles; };
+  ASSERT_EQ(handles().curves.size(), 4u);
+  const QPoint at = hover(1);
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::seen));
+  EXPECT_TRUE(bench().hidden({Kind::curve, "surface/2"}));
+  EXPECT_FALSE(bench().hidden({Kind::surface, "surface"}));
+  EXPECT_TRUE(line(Kind::curve, "surface/2")->toolTip(ObjectTree::seen).contains("hidden"));
+  EXPECT_EQ(handles().curves.size(), 3u);
+  picture("curve-hidden");
+  // Where its middle was nothing is to be taken hold of.
+  const Design before = bench().design();
+  QTest::mouseMove(&view, at + QPoint(0, 60));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == -1; }, kPatience));
+  QTest::mouseMove(&view, at);
+  QTest::mousePress(&view, Qt::LeftButton, {}, at);
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, at - QPoint(0, 5 * i));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, at - QPoint(0, 25));
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(handles().lit, -1);
+  // It is kept by the file, and goes with the blade when another comes before it.
+  const fs::path file = path("hidden.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  EXPECT_EQ(loadDesign(file).value().marks.hidden.sources, std::set<std::string>{"surface/2"});
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  ASSERT_TRUE(window().openFile(QString::fromStdString(file.string())));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().hidden({Kind::curve, "surface/2"}));
+  ASSERT_TRUE(addBlade(bench(), 0));
+  EXPECT_TRUE(bench().hidden({Kind::curve, "surface/3"}));
+  EXPECT_FALSE(bench().hidden({Kind::curve, "surface/2"}));
+  bench().document().undoStack().undo();
+  EXPECT_TRUE(bench().hidden({Kind::curve, "surface/2"}));
+  EXPECT_FALSE(bench().document().modified()) << "as in the file";
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::seen));
+  EXPECT_EQ(handles().curves.size(), 4u);
+}
+
+TEST_F(ObjectTreeTest, ACurveThatIsLockedStaysAndSaysSo) {
+  ASSERT_NO_FATAL_FAILURE(open("single-block"));
+  line(Kind::surface, "surface")->setExpanded(true);
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/3"), ObjectTree::kept));
+  EXPECT_TRUE(bench().locked({Kind::curve, "surface/3"}));
+  EXPECT_TRUE(line(Kind::curve, "surface/3")->toolTip(ObjectTree::kept).contains("locked"));
+  const Design before = bench().design();
+  view::SceneView& view = window().sceneView();
+  const auto handles = [&]() -> const scene::Handles& { return view.sceneStyle().handles; };
+  const auto pull = [&](int handle) {
+    const QPoint at = hover(handle);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, at - QPoint(0, 5 * i));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at - QPoint(0, 25));
+  };
+  pull(9);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: row 3 of surface stays"))
+      << window().banner().text().toStdString();
+  EXPECT_NE(handles().text.find("\nLocked"), std::string::npos) << handles().text;
+  picture("curve-locked");
+  // Neither does a number of it change, nor its place with the surface; those beside it do.
+  NumberField* number = nullptr;
+  for (auto* field : window().workflow().findChildren<NumberField*>())
+    if (field->accessibleName() == "pole 2 of row 3") number = field;
+  ASSERT_TRUE(number);
+  unfold(*number);
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "333");
+  QTest::keyClick(number, Qt::Key_Return);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_NE(number->text(), "333");
+  bench().editSurface("Move", [](DesignedSurface& surface) { surface.origin.z() += 5; });
+  EXPECT_EQ(bench().design(), before);
+  pull(5);
+  EXPECT_NE(bench().design(), before);
+  bench().document().undoStack().undo();
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/3"), ObjectTree::kept));
+  pull(9);
+  EXPECT_NE(bench().design(), before);
+}
+
+TEST_F(ObjectTreeTest, ALockedSectionIsNotTakenAwayAndKeepsItsLockWhereOthersCome) {
+  ASSERT_NO_FATAL_FAILURE(open("twist"));
+  bench().setLocked({Kind::curve, "surface/2"}, true);
+  const Design before = bench().design();
+  removeSection(bench(), 1);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: section 2 of surface stays"));
+  EXPECT_TRUE(bench().rename({Kind::curve, "surface/2"}, "ridge").error().message.find("from their place") !=
+              std::string::npos);
+  ASSERT_TRUE(addSection(bench(), 0));
+  ASSERT_EQ(curveCount(*bench().source().surface), 4);
+  EXPECT_TRUE(bench().locked({Kind::curve, "surface/3"}));
+  EXPECT_FALSE(bench().locked({Kind::curve, "surface/2"}));
+  EXPECT_TRUE(removeSection(bench(), 1));
+  EXPECT_TRUE(bench().locked({Kind::curve, "surface/2"}));
 }
 
 }  // namespace

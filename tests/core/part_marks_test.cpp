@@ -9,6 +9,8 @@
 
 #include "bw/core/design/design_difference.h"
 #include "bw/core/design/design_versions.h"
+#include "bw/core/design/section_list.h"
+#include "bw/core/design/surface_curves.h"
 #include "bw/core/design/variables.h"
 #include "read_design.h"
 
@@ -89,6 +91,90 @@ TEST(PartMarks, ThatCannotBeAreRefused) {
   state["versions"] = {{{"name", "first"}, {"design", wall()}}};
   EXPECT_NE(errorWith(state, "name", "Wall").find("design.versions[0].design has the key hidden"),
             std::string::npos);
+}
+
+namespace {
+
+/// A loft of three sections, the second hidden and the third locked.
+json loft() {
+  return json::parse(R"({
+    "bladewright_design": 2, "name": "Loft",
+    "sources": [{"id": "loft", "surface": {"type": "sections", "sections": [
+       {"y": 0, "spline": [[0, 200], [300, 220], [600, 200]]},
+       {"y": 400, "spline": [[0, 200], [300, 240], [600, 200]]},
+       {"y": 800, "spline": [[0, 200], [300, 260], [600, 200]]}]}}],
+    "cuts": [{"id": "c", "source": "loft", "direction": "y", "stations": 21}],
+    "hidden": {"curves": ["loft/2"]}, "locked": {"curves": ["loft/3"]}
+  })");
+}
+
+PartIds ofSources(std::set<std::string> ids) {
+  PartIds marked;
+  marked.sources = std::move(ids);
+  return marked;
+}
+
+}  // namespace
+
+TEST(PartMarks, OfCurvesStandInAListOfTheirOwn) {
+  const Design design = designOf(loft());
+  EXPECT_EQ(design.marks.hidden, ofSources({"loft/2"}));
+  EXPECT_EQ(design.marks.locked, ofSources({"loft/3"}));
+  const json written = json::parse(designToJson(design));
+  EXPECT_EQ(written["hidden"], json({{"curves", {"loft/2"}}}));
+  EXPECT_EQ(written["locked"], json({{"curves", {"loft/3"}}}));
+  EXPECT_EQ(designOf(written), design);
+  // The surface itself is marked beside its curves, and curves that are gone are not written.
+  Design other = design;
+  other.marks.hidden.sources = {"loft", "loft/1", "loft/4", "loft/01", "loft/", "face/1"};
+  EXPECT_EQ(json::parse(designToJson(other))["hidden"],
+            json({{"sources", {"loft"}}, {"curves", {"loft/1"}}}));
+  for (const char* id : {"loft/0", "loft/4", "loft/01", "loft", "loft/x", "face/1"})
+    EXPECT_NE(errorOf(loft(), "hidden", {{"curves", {id}}}).find("has no curve of that id"),
+              std::string::npos)
+        << id;
+  EXPECT_EQ(curveOf(design, "loft/2")->source, "loft");
+  EXPECT_EQ(curveOf(design, "loft/2")->curve, 1);
+}
+
+TEST(PartMarks, OfCurvesGoWithThem) {
+  const Design design = designOf(loft());
+  const auto after = [&](const Design& next) { return followed(design.marks, design, next); };
+  // One comes between the first two, and one goes.
+  const Design more = withSectionAfter(design, 0, 0).value();
+  ASSERT_EQ(curveCount(*more.source().surface), 4);
+  EXPECT_EQ(after(more).hidden, ofSources({"loft/3"}));
+  EXPECT_EQ(after(more).locked, ofSources({"loft/4"}));
+  EXPECT_EQ(followed(after(more), more, design), design.marks) << "and back";
+  const Design less = withoutSection(design, 0, 1).value();
+  EXPECT_EQ(after(less).hidden, PartIds()) << "it is gone itself";
+  EXPECT_EQ(after(less).locked, ofSources({"loft/2"}));
+  // One that is changed where it is stays the one it is.
+  Design moved = design;
+  std::get<SectionsSurface>(moved.source().surface->shape).sections[1].points[1].y() = 250;
+  EXPECT_EQ(after(moved), design.marks);
+  // Key blades in the place of sections are other curves; without the surface undo may bring it back.
+  Design keys = design;
+  keys.source().surface->shape = BladesSurface{{KeyBlade{}, KeyBlade{.y = 400}, KeyBlade{.y = 800}}};
+  EXPECT_EQ(after(keys), PartMarks());
+  Design renamed = design;
+  renamed.source().id = renamed.cut().source = "other";
+  EXPECT_EQ(after(renamed), design.marks);
+}
+
+TEST(PartMarks, KnowARowOfPolesByItsPlaceAndItsPoles) {
+  const Design design = designOf(wall());
+  const DesignedSurface& face = *design.source().surface;
+  EXPECT_EQ(curveCount(face), 4);
+  EXPECT_TRUE(isSameCurve(face, 1, face, 1));
+  EXPECT_FALSE(isSameCurve(face, 1, face, 2)) << "they are alike, but lie elsewhere";
+  DesignedSurface other = face;
+  std::get<PolesSurface>(other.shape).at(2, 0).height += 1;
+  EXPECT_TRUE(isSameCurve(face, 1, other, 1));
+  EXPECT_FALSE(isSameCurve(face, 2, other, 2));
+  other = face;
+  other.origin.x() = 5;
+  EXPECT_FALSE(isSameCurve(face, 1, other, 1)) << "with its frame it lies elsewhere";
 }
 
 }  // namespace bw

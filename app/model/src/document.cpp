@@ -8,6 +8,7 @@
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/design_versions.h"
+#include "bw/core/design/surface_curves.h"
 #include "bw/model/history.h"
 
 namespace bw::model {
@@ -115,6 +116,7 @@ void Document::exchange(const std::shared_ptr<const Design>& design) {
     known->source().saved = now.saved;
     next = std::move(known);
   }
+  marks_ = followed(marks_, *design_, *next);
   design_ = std::move(next);
   copySoon();
   emit designChanged();

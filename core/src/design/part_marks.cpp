@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bw/core/design/surface_curves.h"
 #include "design/design_keys.h"
 
 namespace bw {
@@ -23,6 +24,13 @@ Ids idsOf(const std::vector<Part>& parts) {
   return ids;
 }
 
+Ids curveIds(const Design& design) {
+  Ids ids;
+  for (const Source& source : design.sources)
+    for (int i = 0; source.surface && i < curveCount(*source.surface); ++i) ids.insert(curveId(source.id, i));
+  return ids;
+}
+
 /// One of the lists: its key, and what messages call an entry.
 struct List {
   const char* key;
@@ -34,7 +42,8 @@ struct List {
 std::vector<List> listsOf(const Design& design, bool withStations) {
   std::vector<List> lists = {{"stock", &PartIds::stock, "block", idsOf(design.stock)},
                              {"cuts", &PartIds::cuts, "cut", idsOf(design.cuts)},
-                             {"sources", &PartIds::sources, "source", idsOf(design.sources)}};
+                             {"sources", &PartIds::sources, "source", idsOf(design.sources)},
+                             {"curves", &PartIds::sources, "curve", curveIds(design)}};
   if (withStations) lists.push_back({"stations", &PartIds::stations, "cut", idsOf(design.cuts)});
   return lists;
 }

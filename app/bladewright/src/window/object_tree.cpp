@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "bw/core/design/surface_curves.h"
 #include "bw/core/text/number_text.h"
 #include "controls/typed_field.h"
 
@@ -20,6 +21,24 @@ constexpr int kLine = Qt::UserRole + 1;
 constexpr int kIcon = 16, kSignWidth = 28;
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
+
+/// What the curves of a surface are called, in their order, with the place of each along the travel.
+QStringList namesOfCurves(const std::optional<DesignedSurface>& surface) {
+  QStringList names;
+  const auto add = [&names](const QString& name, double y) {
+    names << name.arg(names.size() + 1).arg(text(shortText(y, 4)));
+  };
+  if (!surface) return names;
+  if (const auto* poles = std::get_if<PolesSurface>(&surface->shape))
+    for (int row = 0; row < poles->rows; ++row)
+      add(ObjectTree::tr("Row %1, y = %2 mm"), poles->place(row, 0).y());
+  if (const auto* loft = std::get_if<SectionsSurface>(&surface->shape))
+    for (const SectionCurve& section : loft->sections)
+      add(ObjectTree::tr("Section %1, y = %2 mm"), section.y);
+  if (const auto* sweep = std::get_if<BladesSurface>(&surface->shape))
+    for (const KeyBlade& blade : sweep->blades) add(ObjectTree::tr("Key blade %1, y = %2 mm"), blade.y);
+  return names;
+}
 
 /// The same whether or not its line is selected.
 QIcon iconOf(const char* name, const QColor& colour) {
@@ -61,7 +80,7 @@ ObjectTree::ObjectTree(Workbench& bench, const Theme& theme, QWidget* parent)
     if (column == name) select(*item);
   });
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
-    if (column == name && lineOf(*item).object) editItem(item, name);
+    if (column == name && (item->flags() & Qt::ItemIsEditable)) editItem(item, name);
   });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     if (!busy_) rename(*item);
@@ -69,6 +88,7 @@ ObjectTree::ObjectTree(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) {
     const std::optional<Object>& object = lineOf(*item).object;
     if (object && object->kind == Object::Kind::stations) fillStations(*item);
+    if (object && object->kind == Object::Kind::surface) fillCurves(*item);
   });
   connect(&bench, &Workbench::changed, this, &ObjectTree::follow);
   connect(&bench, &Workbench::objectsChanged, this, &ObjectTree::paintAll);
@@ -96,18 +116,23 @@ QTreeWidgetItem* ObjectTree::addLine(QTreeWidgetItem* parent, const QString& tex
   lines_.push_back(line);
   item->setText(name, text);
   if (icon) item->setIcon(name, iconOf(icon, theme_.colours().secondary));
-  const bool named = line.object && line.object->kind != Object::Kind::stations;
+  const bool named =
+      line.object && line.object->kind != Object::Kind::stations && line.object->kind != Object::Kind::curve;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (named ? Qt::ItemIsEditable : Qt::NoItemFlags));
   return item;
 }
 
-void ObjectTree::addCurves(QTreeWidgetItem* surface, const Line& line) {
-  const auto& designed = bench_.design().find(line.object->id)->surface;
-  const auto* sections = designed ? std::get_if<SectionsSurface>(&designed->shape) : nullptr;
-  if (!sections) return;
-  for (std::size_t i = 0; i < sections->sections.size(); ++i)
-    addLine(surface, tr("Curve %1, y = %2 mm").arg(i + 1).arg(text(shortText(sections->sections[i].y, 4))),
-            nullptr, {{}, line.block, line.cut});
+void ObjectTree::fillCurves(QTreeWidgetItem& surface) {
+  const Line line = lineOf(surface);
+  const QStringList names = namesOfCurves(bench_.design().find(line.object->id)->surface);
+  if (surface.childCount() > 0) return;
+  const bool busy = std::exchange(busy_, true);
+  for (int i = 0; i < names.size(); ++i) {
+    const Line curve{Object{Object::Kind::curve, curveId(line.object->id, i)}, line.block, line.cut, -1, i};
+    paint(*addLine(&surface, names[i], nullptr, curve));
+  }
+  busy_ = busy;
+  markSelected();
 }
 
 void ObjectTree::rebuild() {
@@ -117,14 +142,12 @@ void ObjectTree::rebuild() {
   for (const StockBlock& block : design.stock) now += block.id + "\n";
   for (const Cut& cut : design.cuts) now += "\t" + cut.id + "\t" + cut.block + "\t" + cut.source + "\n";
   for (const Source& source : design.sources)
-    if (const auto& surface = source.surface)
-      if (const auto* sections = std::get_if<SectionsSurface>(&surface->shape))
-        for (const SectionCurve& section : sections->sections) now += shortText(section.y, 4) + " ";
+    now += namesOfCurves(source.surface).join(' ').toStdString() + "\n";
   if (std::exchange(built_, now) == now) return;
   busy_ = true;
-  std::map<Object, bool> open;
+  std::map<std::pair<Object, std::string>, bool> open;  // of each object, of each cut
   for (QTreeWidgetItemIterator at(this); *at; ++at)
-    if (const auto& object = lineOf(**at).object) open[*object] = (*at)->isExpanded();
+    if (const Line& line = lineOf(**at); line.object) open[{*line.object, line.cut}] = (*at)->isExpanded();
   clear();
   lines_.clear();
   for (const StockBlock& block : design.stock) {
@@ -137,8 +160,11 @@ void ObjectTree::rebuild() {
     for (const Cut* cut : cuts) {
       QTreeWidgetItem* line =
           addLine(top, text(cut->id), "cut", {Object{Object::Kind::cut, cut->id}, block.id, cut->id});
-      const Line surface{Object{Object::Kind::surface, cut->source}, block.id, cut->id};
-      addCurves(addLine(line, text(cut->source), "surface", surface), surface);
+      QTreeWidgetItem* surface = addLine(line, text(cut->source), "surface",
+                                         {Object{Object::Kind::surface, cut->source}, block.id, cut->id});
+      // Its curves are listed once they are to be seen.
+      if (const auto& designed = design.find(cut->source)->surface; designed && curveCount(*designed) > 0)
+        surface->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
       addLine(line, tr("Stations"), "station", {Object{Object::Kind::stations, cut->id}, block.id, cut->id});
     }
   }
@@ -149,7 +175,7 @@ void ObjectTree::rebuild() {
     if (!object) continue;
     const bool first = object->kind == Object::Kind::cut ||
                        (object->kind == Object::Kind::block && design.stock.size() <= kOpen);
-    const auto known = open.find(*object);
+    const auto known = open.find({*object, lineOf(**at).cut});
     (*at)->setExpanded(known == open.end() ? first : known->second);
   }
   busy_ = false;
@@ -211,7 +237,8 @@ void ObjectTree::paint(QTreeWidgetItem& item) {
   const bool locked = bench_.locked(*line.object);
   sign(kept, locked ? "lock" : "lock-open", locked,
        locked ? tr("%1 is locked: nothing changes it").arg(what) : tr("%1 may be changed").arg(what));
-  const bool named = !bench_.design().grid || line.object->kind == Object::Kind::surface;
+  const bool named = (item.flags() & Qt::ItemIsEditable) &&
+                     (!bench_.design().grid || line.object->kind == Object::Kind::surface);
   item.setToolTip(name, named ? tr("%1 (F2 gives it another name)").arg(what) : what);
 }
 
@@ -224,7 +251,13 @@ void ObjectTree::paintAll() {
 void ObjectTree::follow(const Change& change) {
   if (change.any(Aspect::design)) rebuild();
   if (change.any(Aspect::result)) refreshStations();
+  if (change.any(Aspect::selection)) curve_.reset();
   if (change.any(Aspect::selection | Aspect::design)) markSelected();
+}
+
+void ObjectTree::showCurve(const std::optional<int>& curve) {
+  curve_ = curve;
+  markSelected();
 }
 
 void ObjectTree::markSelected() {
@@ -233,7 +266,8 @@ void ObjectTree::markSelected() {
   for (QTreeWidgetItemIterator at(this); *at; ++at) {
     const Line& line = lineOf(**at);
     const bool same = line.cut == now.cut;
-    const Object::Kind kind = now.kind == Selection::Kind::block     ? Object::Kind::block
+    const Object::Kind kind = curve_                                 ? Object::Kind::surface
+                              : now.kind == Selection::Kind::block   ? Object::Kind::block
                               : now.kind == Selection::Kind::surface ? Object::Kind::surface
                               : now.kind == Selection::Kind::station ? Object::Kind::stations
                                                                      : Object::Kind::cut;
@@ -241,6 +275,8 @@ void ObjectTree::markSelected() {
                       : line.station >= 0         ? same && line.station == now.station
                                                   : same && line.object && line.object->kind == kind;
     if (!isIt) continue;
+    if (curve_ && (*at)->isExpanded() && *curve_ < (*at)->childCount())
+      return setCurrentItem((*at)->child(*curve_));
     setCurrentItem(*at);
     // Of a station that is listed its own line, which comes after that of all.
     if (kind != Object::Kind::stations || line.station >= 0 || (*at)->childCount() == 0) return;
@@ -256,10 +292,12 @@ void ObjectTree::select(const QTreeWidgetItem& item) {
     next.station = line.station;
   } else if (line.object && line.object->kind == Object::Kind::block) {
     next.kind = Selection::Kind::block;
-  } else if (line.object && line.object->kind != Object::Kind::surface) {
+  } else if (line.object && line.object->kind != Object::Kind::surface && line.curve < 0) {
     next.kind = Selection::Kind::result;
   }
   bench_.select(next);
+  if (next.kind == Selection::Kind::surface)
+    emit curveChosen(line.curve < 0 ? std::nullopt : std::optional(line.curve));
 }
 
 void ObjectTree::toggle(const QTreeWidgetItem& item, int column) {

@@ -14,8 +14,8 @@
 namespace bw::app {
 
 /// All that a design is made of: blocks, of each its cuts, of each its surface with the curves that tell it,
-/// and its stations. A click selects; the eye shows and hides (also V), the lock keeps from changes (also L),
-/// F2 or a double click gives another name.
+/// and its stations. A click selects, and chooses a curve; the eye shows and hides (also V), the lock keeps
+/// from changes (also L), F2 or a double click gives another name.
 class ObjectTree : public QTreeWidget {
   Q_OBJECT
 
@@ -26,8 +26,15 @@ class ObjectTree : public QTreeWidget {
 
   /// The line of an object, of its first cut where several are of one surface; null if there is none.
   QTreeWidgetItem* lineOf(const Object& object) const;
+  /// Marks the curve of the surface at work that is chosen, counted from 0, where curves are listed, else its
+  /// surface, until something else is selected.
+  void showCurve(const std::optional<int>& curve);
   QSize sizeHint() const override { return {250, 180}; }
   QSize minimumSizeHint() const override { return {160, 72}; }
+
+ signals:
+  /// A line of the surface that is at work since then: of one of its curves, counted from 0, or its own.
+  void curveChosen(const std::optional<int>& curve);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -35,14 +42,14 @@ class ObjectTree : public QTreeWidget {
  private:
   /// What a line stands for, besides its object.
   struct Line {
-    std::optional<Object> object;  ///< empty for a curve or a single station
+    std::optional<Object> object;  ///< empty for a single station
     std::string block, cut;
-    int station = -1;
+    int station = -1, curve = -1;
   };
   void follow(const Change& change);
   void rebuild();
   QTreeWidgetItem* addLine(QTreeWidgetItem* parent, const QString& text, const char* icon, const Line& line);
-  void addCurves(QTreeWidgetItem* surface, const Line& line);
+  void fillCurves(QTreeWidgetItem& surface);
   void fillStations(QTreeWidgetItem& stations);
   void refreshStations();
   /// The eyes and locks of a line and of those below it.
@@ -58,8 +65,9 @@ class ObjectTree : public QTreeWidget {
   Workbench& bench_;
   const Theme& theme_;
   std::vector<Line> lines_;
-  std::string built_;  ///< what the lines are for
-  bool busy_ = false;  ///< lines are changed by the program
+  std::string built_;         ///< what the lines are for
+  std::optional<int> curve_;  ///< of the surface at work, that is marked
+  bool busy_ = false;         ///< lines are changed by the program
 };
 
 }  // namespace bw::app

@@ -11,6 +11,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/scene_content.h"
 #include "controls/numbers.h"
+#include "window/curve_handles.h"
 #include "window/main_window.h"
 
 namespace bw::app {
@@ -189,6 +190,7 @@ void MainWindow::refreshStyle() {
   hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);
+  markCurves(bench_, style.handles);
   blockHandles_->applyTo(style);
   beside_->setStyle(style);
   const Field* mapped = mappedField(*view_);

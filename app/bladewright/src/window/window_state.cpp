@@ -11,6 +11,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
+#include "window/curve_handles.h"
 #include "window/main_window.h"
 
 namespace bw::app {
@@ -166,6 +167,17 @@ void MainWindow::makeWorkspace() {
   connect(faces_, &FaceChooser::changed, this, &MainWindow::refreshStyle);
   connect(handles_, &SurfaceHandles::changed, this, &MainWindow::refreshStyle);
   connect(handles_, &SurfaceHandles::chosenChanged, this, &MainWindow::refreshHandleCommands);
+  // A curve that is chosen in the tree has its handles chosen, and the other way round.
+  const auto showCurve = [this] {
+    const std::optional<DesignedSurface>& surface = bench_.source().surface;
+    tree_->showCurve(surface ? curveOf(*surface, handles_->chosen()) : std::nullopt);
+  };
+  connect(handles_, &SurfaceHandles::chosenChanged, tree_, showCurve);
+  connect(tree_, &ObjectTree::curveChosen, handles_, [this, showCurve](const std::optional<int>& curve) {
+    const std::optional<DesignedSurface>& surface = bench_.source().surface;
+    handles_->choose(surface && curve ? handlesOf(*surface, *curve) : std::vector<int>());
+    showCurve();  // of those that were chosen already, too
+  });
   connect(blockHandles_, &BlockHandles::changed, this, &MainWindow::refreshStyle);
   connect(blockHandles_, &BlockHandles::told, this,
           [this](const QString& why) { statusBar()->showMessage(why, kToldFor); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bw/core/design/surface_curves.h"
 #include "bw/core/text/printable.h"
 
 namespace bw::app {
@@ -32,6 +33,17 @@ void exchange(std::vector<Part>& parts, std::string Part::*member, const std::st
     if (part.*member == from) part.*member = to;
 }
 
+bool sameCurve(const Design& before, const Design& after, const std::string& id) {
+  const std::optional<CurveOfSource> curve = curveOf(before, id);
+  if (!curve) return true;
+  const DesignedSurface& then = *before.find(curve->source)->surface;
+  const Source* now = after.find(curve->source);
+  // Others may have come before it, or gone.
+  for (int i = 0; now && now->surface && i < curveCount(*now->surface); ++i)
+    if (isSameCurve(then, curve->curve, *now->surface, i)) return true;
+  return false;
+}
+
 template <class Part>
 bool taken(const std::vector<Part>& parts, const Object& object, const std::string& name) {
   return name != object.id && find(parts, name);
@@ -46,6 +58,7 @@ std::set<std::string>& idsOf(PartIds& marked, Object::Kind kind) {
     case Object::Kind::cut:
       return marked.cuts;
     case Object::Kind::surface:
+    case Object::Kind::curve:
       return marked.sources;
     case Object::Kind::stations:
       break;
@@ -59,10 +72,21 @@ const std::set<std::string>& idsOf(const PartIds& marked, Object::Kind kind) {
 
 std::vector<Object> objectsOf(const PartIds& marked) {
   std::vector<Object> objects;
-  for (const Object::Kind kind :
-       {Object::Kind::block, Object::Kind::cut, Object::Kind::surface, Object::Kind::stations})
+  for (const Object::Kind kind : {Object::Kind::block, Object::Kind::cut, Object::Kind::surface,
+                                  Object::Kind::curve, Object::Kind::stations})
     for (const std::string& id : idsOf(marked, kind)) objects.push_back({kind, id});
   return objects;
+}
+
+std::string nameOf(const Design& design, const Object& object) {
+  const std::optional<CurveOfSource> curve =
+      object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt;
+  if (!curve) return object.id;
+  const SurfaceShape& shape = design.find(curve->source)->surface->shape;
+  const char* what = std::holds_alternative<PolesSurface>(shape)      ? "row "
+                     : std::holds_alternative<SectionsSurface>(shape) ? "section "
+                                                                      : "key blade ";
+  return what + std::to_string(curve->curve + 1) + " of " + curve->source;
 }
 
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name) {
@@ -73,6 +97,8 @@ Result<Design> renamed(const Design& design, const Object& object, const std::st
       printable(name) != name)
     return refuse(
         "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it");
+  if (object.kind == Object::Kind::curve)
+    return refuse("the curves of a surface have their names from their place");
   if (design.grid && object.kind != Object::Kind::surface)
     return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
   const bool isTaken = object.kind == Object::Kind::block     ? taken(design.stock, object, name)
@@ -100,6 +126,8 @@ std::optional<Object> firstChanged(const std::vector<Object>& objects, const Des
         return !same(before.stock, after.stock, object.id);
       case Object::Kind::surface:
         return !same(before.sources, after.sources, object.id);
+      case Object::Kind::curve:
+        return !sameCurve(before, after, object.id);
       case Object::Kind::cut:
         return !same(before.cuts, after.cuts, object.id);
       case Object::Kind::stations:

@@ -14,23 +14,27 @@
 
 namespace bw::app {
 
-/// A part of a design that has a name: it is shown or hidden, locked, and renamed.
+/// A part of a design: it is shown or hidden, locked, and renamed. Stations are neither locked nor renamed,
+/// and a curve (`bw/core/design/surface_curves.h`) has its name from its place.
 struct Object {
-  enum class Kind { block, cut, surface, stations };
+  enum class Kind { block, cut, surface, stations, curve };
   Kind kind = Kind::block;
-  std::string id;  ///< of the block, the cut or the source; for stations that of their cut
+  std::string id;  ///< of the block, the cut, the source or the curve; for stations that of their cut
   auto operator<=>(const Object&) const = default;
 };
 
 /// The ids of objects of a kind among those that are marked.
 const std::set<std::string>& idsOf(const PartIds& marked, Object::Kind kind);
 std::set<std::string>& idsOf(PartIds& marked, Object::Kind kind);
-/// All that are marked.
+/// All that are marked: of each id among those of sources both, the surface and the curve of that id.
 std::vector<Object> objectsOf(const PartIds& marked);
+
+/// What messages call it: "north", "section 2 of surface".
+std::string nameOf(const Design& design, const Object& object);
 
 /// The design with another name for a block, a cut or a source wherever it stands. Error `badInput`, with
 /// what to do: a name that is empty, taken, longer than 60 characters or with one that no file can have;
-/// blocks and cuts of a grid, which have their names from their place.
+/// blocks and cuts of a grid, and curves, which have their names from their place.
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
 
 /// The first of these objects that is another in `after`, or gone; empty if all are as they were.

@@ -370,7 +370,7 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
   if (const auto kept = firstChanged(objectsOf(document_.marks().locked), design(), after)) {
     tell(Topic::locked, Severity::info,
          tr("Locked: %1 stays as it is; its lock in the tree of objects lets it be changed")
-             .arg(QString::fromStdString(printable(kept->id))));
+             .arg(QString::fromStdString(printable(nameOf(design(), *kept)))));
     // Fields show what is there.
     return tellChanged(Aspect::design);
   }
