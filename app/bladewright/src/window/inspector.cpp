@@ -137,6 +137,10 @@ void Inspector::makeResult() {
         column, name, tip, [=](const CutResult& result) { return format(result.analysis.summary.*member); },
         broken);
   };
+  // In a form of its own: its fields are wider than the numbers below, whose names are longer.
+  auto* cut = column->addWide(new FormColumn);
+  cut->addHeading(tr("Cut"));
+  cutLines_ = new CutLines(bench_, cut, this);
   column->addHeading(tr("Deviation"));
   add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
       &SweepSummary::deviationMax, &SweepLimits::deviation);
@@ -194,6 +198,7 @@ void Inspector::makeSurface() {
     const pipeline::CutEvaluation* cut = bench_.shownCut();
     return cut ? cut->target.value.get() : nullptr;
   };
+  surfaceFields_ = column->addWide(new SurfaceFields(bench_, SurfaceFields::Shows::curve));
   column->addHeading(tr("Target surface"));
   addValue(column, tr("Faces"), {},
            [target] { return target() ? QString::number(target()->faces().size()) : QString(); });
@@ -218,6 +223,9 @@ void Inspector::makeBlock() {
     const pipeline::CutEvaluation* cut = bench_.shownCut();
     return cut && cut->setup ? shortNumber(cut->setup->block.size.prod() * 1e-9) + " m³" : QString();
   });
+  column->addGap();
+  gridColumn_ = column->addWide(new FormColumn);
+  gridFields_ = new GridFields(bench_, gridColumn_, this);
   column->addHeading(tr("After all of its cuts"));
   addValue(column, tr("Foam left"), tr("What is left of a block of several cuts, once the hand has rested"),
            [this] {
@@ -388,12 +396,18 @@ void Inspector::makeStation() {
 }
 
 TypedField* Inspector::showRefused() {
-  for (const auto kind : {Selection::Kind::block, Selection::Kind::blade})
+  for (const auto kind :
+       {Selection::Kind::result, Selection::Kind::surface, Selection::Kind::block, Selection::Kind::blade})
     if (TypedField* field = refusedField(*pages_->widget(int(kind)))) {
       bench_.select({kind, -1});
       return field;
     }
   return nullptr;
+}
+
+void Inspector::showCurve(const std::optional<int>& curve) {
+  surfaceFields_->setCurve(curve);
+  if (bench_.selection().kind == Selection::Kind::surface) surfaceFields_->refresh();
 }
 
 void Inspector::setStale(bool stale) {
@@ -410,10 +424,8 @@ void Inspector::refresh() {
   const Selection& selection = bench_.selection();
   kind_->show(int(selection.kind));
   pages_->setCurrentIndex(int(selection.kind));
-  const bool settings = selection.kind == Selection::Kind::block || selection.kind == Selection::Kind::blade;
-  const pipeline::CutEvaluation* cut = bench_.shownCut();
-  const bool there =
-      settings || bench_.sweep() || (selection.kind == Selection::Kind::surface && cut && cut->target.value);
+  // What the design tells stands there before any result does.
+  const bool there = selection.kind != Selection::Kind::station || bench_.sweep();
   empty_->setVisible(!there);
   pages_->setVisible(there);
   for (const Value& value : values_) {
@@ -421,6 +433,11 @@ void Inspector::refresh() {
     value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
   }
   refreshStanding();
+  cutLines_->refresh();
+  // Of a page that nobody sees the fields wait.
+  if (selection.kind == Selection::Kind::surface) surfaceFields_->refresh();
+  gridColumn_->setVisible(bench_.design().grid && bench_.design().grid->count() > 1);
+  gridFields_->refresh();
   blockFields_->refresh();
   bladeFields_->refresh();
   if (const auto result = bench_.sweep()) {

@@ -11,11 +11,15 @@
 #include "controls/layout.h"
 #include "controls/numbers.h"
 #include "workbench/workbench.h"
+#include "workflow/cut_lines.h"
+#include "workflow/grid_fields.h"
 #include "workflow/setup_fields.h"
+#include "workflow/surface_fields.h"
 
 namespace bw::app {
 
-/// The right panel: the numbers of what is selected, editable where they are settings.
+/// The right panel: the numbers of what is selected, editable where the design tells them, read where they
+/// are found.
 class Inspector : public SidePanel {
   Q_OBJECT
 
@@ -23,6 +27,8 @@ class Inspector : public SidePanel {
   Inspector(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
   const BladeFields* bladeFields() const { return bladeFields_; }
+  /// The curve of the surface at work whose numbers the surface has, counted from 0; nothing: of none.
+  void showCurve(const std::optional<int>& curve);
   /// Results that are out of date are pale.
   void setStale(bool stale);
   /// The first number of the design whose text is refused, on its page; null if there is none.
@@ -62,7 +68,11 @@ class Inspector : public SidePanel {
   QStackedWidget* pages_;
   QLabel* empty_;
   std::vector<Value> values_;
+  CutLines* cutLines_ = nullptr;
+  SurfaceFields* surfaceFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
+  FormColumn* gridColumn_ = nullptr;
+  GridFields* gridFields_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   NumberField* stationNumber_ = nullptr;
   bool stale_ = false;

@@ -170,7 +170,9 @@ void MainWindow::makeWorkspace() {
   // A curve that is chosen in the tree has its handles chosen, and the other way round.
   const auto showCurve = [this] {
     const std::optional<DesignedSurface>& surface = bench_.source().surface;
-    tree_->showCurve(surface ? curveOf(*surface, handles_->chosen()) : std::nullopt);
+    const std::optional<int> curve = surface ? curveOf(*surface, handles_->chosen()) : std::nullopt;
+    tree_->showCurve(curve);
+    inspector_->showCurve(curve);
   };
   connect(handles_, &SurfaceHandles::chosenChanged, tree_, showCurve);
   connect(tree_, &ObjectTree::curveChosen, handles_, [this, showCurve](const std::optional<int>& curve) {

@@ -2,87 +2,23 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/process_fields.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace bw::app {
 
 namespace {
 
-// The station slider is logarithmic: 2 … 1000 stations over its length.
-constexpr int kSliderSteps = 400;
-constexpr double kSliderMin = 2, kSliderMax = 1000;
-
-// The choices of how stations are counted.
-enum Mode { kByTolerance, kByNumber, kBySpacing };
-
 /// Of the kerf in the file of a design.
 const std::string kKerfPlace = "/process/kerf";
-
-/// Where none were found.
-constexpr int kUsualStations = 60;
-
-int stationsOfSlider(int value) {
-  return int(std::lround(kSliderMin * std::pow(kSliderMax / kSliderMin, double(value) / kSliderSteps)));
-}
-
-int sliderOfStations(int stations) {
-  const double t = std::log(stations / kSliderMin) / std::log(kSliderMax / kSliderMin);
-  return int(std::lround(kSliderSteps * std::clamp(t, 0.0, 1.0)));
-}
 
 }  // namespace
 
 ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent)
     : QObject(parent), bench_(bench) {
-  addStations(column);
+  stations_ = new StationLines(bench, column, true, this);
   addDirection(column);
   addNumbers(column, ProcessPart::process);
   addFit(column->addFold(tr("Fit and lead"), theme), theme);
-}
-
-void ProcessFields::addStations(FormColumn* column) {
-  stationMode_ =
-      column->add(tr("Stations"), new ChoiceField,
-                  tr("Where the blade is fitted to the surface; by tolerance: as many as keep what "
-                     "lies between them within a twentieth of it"));
-  stationMode_->addItems({tr("By tolerance"), tr("By number"), tr("By spacing")});
-  connect(stationMode_, &QComboBox::activated, this, [this](int index) {
-    double spacing = 10;
-    if (const auto result = bench_.sweep(); result && result->sweep.poses.size() > 1)
-      spacing = std::max(
-          0.1, std::round(10 * (result->sweep.poses[1].travel - result->sweep.poses[0].travel)) / 10);
-    const int number = bench_.cut().sections.stations.value_or(foundStations().value_or(kUsualStations));
-    bench_.editCut(tr("Change stations"), [=](Cut& cut) {
-      cut.sections.stations = index == kByTolerance ? std::nullopt : std::optional(number);
-      cut.sections.spacing = index == kBySpacing ? std::optional(spacing) : std::nullopt;
-    });
-  });
-  stations_ = column->add(tr("Number"), new NumberField({2, double(SectionRequest::kMost), 0, 1, {}}),
-                          tr("Number of stations along the cut"));
-  connect(stations_, &NumberField::edited, this, [this](double value) {
-    bench_.editCut(tr("Change stations"), [value](Cut& cut) { cut.sections.stations = int(value); });
-  });
-  bindNumber(bench_, stations_, placeInCut(bench_, "/stations"));
-  stationSlider_ = column->addWide(new HandSlider);
-  stationSlider_->setRange(0, kSliderSteps);
-  stationSlider_->setAccessibleName(tr("Number of stations"));
-  stationSlider_->setToolTip(tr("Number of stations"));
-  connect(stationSlider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
-  connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
-    const int count = stationsOfSlider(value);
-    const bool dragging = stationSlider_->held();
-    bench_.editCut(
-        tr("Change stations"), [count](Cut& cut) { cut.sections.stations = count; }, dragging ? dragId_ : -1,
-        dragging);
-  });
-  spacing_ =
-      column->add(tr("Spacing"), new NumberField({0.01, 10000, 2, 1, "mm"}), tr("Distance between stations"));
-  connect(spacing_, &NumberField::edited, this, [this](double value) {
-    bench_.editCut(tr("Change spacing"), [value](Cut& cut) { cut.sections.spacing = value; });
-  });
-  bindNumber(bench_, spacing_, placeInCut(bench_, "/stations/spacing"));
 }
 
 void ProcessFields::addDirection(FormColumn* column) {
@@ -183,7 +119,7 @@ void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
 
 void ProcessFields::refresh() {
   const Process& process = bench_.design().process;
-  refreshStations();
+  stations_->refresh();
   direction_->refresh();
   // Where the kerf is told over speed, its width is that of the fastest point.
   Process shown = process;
@@ -212,26 +148,6 @@ void ProcessFields::refreshMargins() {
   const Process& process = bench_.design().process;
   trade_->show(known, process.margin, process.tolerance);
   margins_->setText(marginsText(known.get()));
-}
-
-std::optional<int> ProcessFields::foundStations() const {
-  const pipeline::CutEvaluation* cut = bench_.shownCut();
-  return cut && cut->count.value ? std::optional(cut->count.value->stations) : std::nullopt;
-}
-
-void ProcessFields::refreshStations() {
-  const SectionRequest& sections = bench_.cut().sections;
-  const std::optional<int> number = sections.byTolerance() ? foundStations() : sections.stations;
-  stationMode_->show(sections.byTolerance() ? kByTolerance : sections.spacing ? kBySpacing : kByNumber);
-  setLineVisible(stations_, !sections.spacing && number.has_value());
-  stations_->setEnabled(!sections.byTolerance());
-  stationSlider_->setVisible(!sections.spacing && !sections.byTolerance());
-  setLineVisible(spacing_, sections.spacing.has_value());
-  if (number) {
-    stations_->show(*number);
-    stationSlider_->show(sliderOfStations(*number));
-  }
-  if (sections.spacing) spacing_->show(*sections.spacing);
 }
 
 }  // namespace bw::app

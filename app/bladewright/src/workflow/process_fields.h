@@ -14,6 +14,7 @@
 #include "workflow/kerf_table_field.h"
 #include "workflow/margin_plot.h"
 #include "workflow/number_lines.h"
+#include "workflow/station_lines.h"
 
 namespace bw::app {
 
@@ -29,26 +30,22 @@ class ProcessFields : public QObject {
   /// What is known of the margins that serve.
   void refreshMargins();
   /// How the stations are counted, and how many are found where that follows from the tolerance.
-  void refreshStations();
+  void refreshStations() { stations_->refresh(); }
 
  private:
-  void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column, const Theme& theme);
   void addKerf(FormColumn* column);
   void addMargins(FormColumn* column, const Theme& theme);  ///< what of the deviation a margin costs
   void addNumbers(FormColumn* column, ProcessPart part);
-  std::optional<int> foundStations() const;
 
   Workbench& bench_;
-  ChoiceField *stationMode_, *extend_, *fitLength_;
+  StationLines* stations_;
+  ChoiceField *extend_, *fitLength_;
   DirectionLines* direction_;
-  NumberField *stations_, *spacing_;
   NumberField* kerf_ = nullptr;
   KerfTableField* kerfTable_;
   ProcessLines numbers_;
-  HandSlider* stationSlider_;
-  int dragId_ = -1;  ///< joins the moves of one drag of the slider
   QCheckBox *endpoints_, *tangents_;
   MarginPlot* trade_;
   QLabel* margins_;

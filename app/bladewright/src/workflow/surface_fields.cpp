@@ -23,12 +23,28 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kFarthest = 1e7;         // mm
 constexpr std::size_t kMostFields = 120;  // more numbers are for the file
 constexpr int kGridFieldWidth = 62;
 constexpr int kMostColumns = 4;  // of poles beside each other; more scroll
 
 std::string at(const std::string& list, std::size_t i) { return list + "/" + std::to_string(i); }
+
+/// Why a section or a key blade, which `what` names, cannot lie at y; nothing if it can.
+template <class Curve>
+QString whyNotAt(const std::vector<Curve>& curves, std::size_t i, double y, const QString& what) {
+  const auto mm = [](double length) { return QString::fromStdString(shortText(length, 6)); };
+  if (i > 0 && y <= curves[i - 1].y)
+    return SurfaceFields::tr("It must lie beyond %1 %2, at more than %3 mm")
+        .arg(what)
+        .arg(i)
+        .arg(mm(curves[i - 1].y));
+  if (i + 1 < curves.size() && y >= curves[i + 1].y)
+    return SurfaceFields::tr("It must lie before %1 %2, at less than %3 mm")
+        .arg(what)
+        .arg(i + 2)
+        .arg(mm(curves[i + 1].y));
+  return {};
+}
 
 /// What lines are needed: its kind and its counts.
 std::string structureOf(const DesignedSurface& surface) {
@@ -154,8 +170,8 @@ void FormulaField::focusOutEvent(QFocusEvent* event) {
   if (!typing()) setCursorPosition(0);  // its beginning says most
 }
 
-SurfaceFields::SurfaceFields(Workbench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), layout_(makeBox<QVBoxLayout>(this, {}, 0)) {
+SurfaceFields::SurfaceFields(Workbench& bench, Shows shows, QWidget* parent)
+    : QWidget(parent), bench_(bench), shows_(shows), layout_(makeBox<QVBoxLayout>(this, {}, 0)) {
   hide();
 }
 
@@ -167,30 +183,33 @@ void SurfaceFields::refresh() {
     built_.clear();
     numbers_.clear();
     ends_.clear();
+    tangents_.clear();
     return;
   }
   DesignedSurface surface = *bench_.source().surface;
-  if (const std::string structure = structureOf(surface); structure != built_) {
+  std::string structure = structureOf(surface);
+  if (curve_) structure += " of " + std::to_string(*curve_);
+  if (structure != built_) {
     rebuild(surface);
     built_ = structure;
   }
-  kinds_->show(int(surface.shape.index()));
+  if (kinds_) kinds_->show(int(surface.shape.index()));
   for (const Number& number : numbers_) number.field->show(number.get(surface) / number.scale);
   showEnds(surface);
-  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+  showTangents(surface);
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape); poles && columns_) {
     columns_->show(poles->columns);
     rows_->show(poles->rows);
   }
-  if (const auto* graph = std::get_if<FormulaSurface>(&surface.shape)) {
+  if (const auto* graph = std::get_if<FormulaSurface>(&surface.shape); graph && formula_) {
     std::vector<std::string> names = {"x", "y"};
     for (const Variable& variable : design.variables) names.push_back(variable.name);
     formula_->show(graph->formula, std::move(names));
     formula_->setToolTip(QString::fromStdString(graph->formula));
   }
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) {
-    lofts_->show(int(loft->loft));
-    for (std::size_t i = 0; i < sectionKinds_.size(); ++i)
-      sectionKinds_[i]->show(int(loft->sections[i].kind));
+    if (lofts_) lofts_->show(int(loft->loft));
+    for (const auto& [section, kind] : sectionKinds_) kind->show(int(loft->sections[section].kind));
   }
 }
 
@@ -202,9 +221,14 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
   empty(*layout_);
   numbers_.clear();
   ends_.clear();
+  tangents_.clear();
   sectionKinds_.clear();
+  kinds_ = lofts_ = nullptr;
+  columns_ = rows_ = nullptr;
+  formula_ = nullptr;
   auto* column = new FormColumn(this);
   layout_->addWidget(column);
+  if (shows_ == Shows::curve) return addCurve(column, surface);
   kinds_ = column->add(tr("Surface"), new ChoiceField,
                        tr("How the surface is told; another kind begins near the one before"));
   kinds_->addItems({tr("Poles"), tr("Formula"), tr("Sections"), tr("Key blades")});
@@ -217,7 +241,7 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
 
 NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, const QString& name,
                                   const Unit& unit) {
-  auto* field = new NumberField({-kFarthest, kFarthest, unit.decimals, unit.step, unit.suffix});
+  auto* field = new NumberField({-unit.most, unit.most, unit.decimals, unit.step, unit.suffix});
   field->setAccessibleName(name);
   field->setToolTip(name);
   connect(field, &NumberField::edited, this, [this, get, name, scale = unit.scale](double value) {
@@ -231,7 +255,7 @@ NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, cons
 NumberField* SurfaceFields::endField(std::size_t blade, std::size_t end, const NumberPlace& place,
                                      const QString& name) {
   const Unit unit;
-  auto* field = new NumberField({-kFarthest, kFarthest, unit.decimals, unit.step, unit.suffix});
+  auto* field = new NumberField({-unit.most, unit.most, unit.decimals, unit.step, unit.suffix});
   field->setAccessibleName(name);
   field->setToolTip(name);
   connect(field, &NumberField::edited, this, [this, blade, end, name](double height) {
@@ -347,53 +371,60 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
         makeNote(tr("%1 numbers are too many for fields; they are in the design file.").arg(count)));
     return;
   }
-  for (std::size_t i = 0; i < surface.sections.size(); ++i) {
-    const SectionCurve& section = surface.sections[i];
-    const bool bezier = section.kind == SectionCurve::Kind::bezier;
-    column->addHeading(bezier ? tr("Section %1, poles x, z").arg(i + 1)
-                              : tr("Section %1, points x, z").arg(i + 1));
-    auto* kind = column->add(
-        tr("Curve"), new ChoiceField,
-        tr("Bézier: cubics that meet with one tangent. Spline: one curvature. Ducks: the elastic spline that "
-           "slides through its points. Another kind begins near the one before"));
-    kind->addItems({tr("Bézier"), tr("Spline"), tr("Ducks")});
-    kind->setAccessibleName(tr("Curve of section %1").arg(i + 1));
-    connect(kind, &QComboBox::activated, this,
-            [this, i](int chosen) { changeSectionKind(i, SectionCurve::Kind(chosen)); });
-    sectionKinds_.push_back(kind);
-    const auto of = [i](DesignedSurface& s) -> SectionCurve& {
-      return std::get<SectionsSurface>(s.shape).sections[i];
-    };
-    const std::string place = at("/sections", i);
-    const QString name = tr("y of section %1").arg(i + 1);
-    column->add(tr("At y"), field([of](DesignedSurface& s) -> double& { return of(s).y; },
-                                  placeInSurface(bench_, place + "/y"), name));
-    auto* area = new QWidget;
-    auto* grid = new QGridLayout(area);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(4);
-    for (std::size_t p = 0; p < section.points.size(); ++p)
-      for (const int axis : {0, 1}) {
-        NumberField* number =
-            field([of, p, axis](DesignedSurface& s) -> double& { return of(s).points[p](axis); },
-                  placeInSurface(
-                      bench_, at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis))),
-                  tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
-        grid->addWidget(number, int(p), axis);
-      }
-    for (std::size_t p = 0; p < section.points.size(); ++p) {
-      auto* gone = new QToolButton;
-      gone->setText(QChar(0xd7));
-      gone->setAccessibleName(tr("Remove point %1 of section %2").arg(p + 1).arg(i + 1));
-      gone->setToolTip(bezier ? tr("Takes the pole away, of a chain the joint next to it with its legs")
-                              : tr("Takes the point away"));
-      gone->setEnabled(section.points.size() > 2);
-      connect(gone, &QToolButton::clicked, this, [this, i, p] { removePoint(bench_, i, p); });
-      grid->addWidget(gone, int(p), 2);
+  for (std::size_t i = 0; i < surface.sections.size(); ++i) addSectionFields(column, i, surface);
+}
+
+void SurfaceFields::addSectionFields(FormColumn* column, std::size_t i, const SectionsSurface& surface) {
+  const SectionCurve& section = surface.sections[i];
+  const bool bezier = section.kind == SectionCurve::Kind::bezier;
+  column->addHeading(bezier ? tr("Section %1, poles x, z").arg(i + 1)
+                            : tr("Section %1, points x, z").arg(i + 1));
+  auto* kind = column->add(
+      tr("Curve"), new ChoiceField,
+      tr("Bézier: cubics that meet with one tangent. Spline: one curvature. Ducks: the elastic spline that "
+         "slides through its points. Another kind begins near the one before"));
+  kind->addItems({tr("Bézier"), tr("Spline"), tr("Ducks")});
+  kind->setAccessibleName(tr("Curve of section %1").arg(i + 1));
+  connect(kind, &QComboBox::activated, this,
+          [this, i](int chosen) { changeSectionKind(i, SectionCurve::Kind(chosen)); });
+  sectionKinds_.emplace_back(i, kind);
+  const auto of = [i](DesignedSurface& s) -> SectionCurve& {
+    return std::get<SectionsSurface>(s.shape).sections[i];
+  };
+  const std::string place = at("/sections", i);
+  const QString name = tr("y of section %1").arg(i + 1);
+  NumberField* along = field([of](DesignedSurface& s) -> double& { return of(s).y; },
+                             placeInSurface(bench_, place + "/y"), name);
+  along->setCheck([this, i](double y) {
+    return whyNotAt(std::get<SectionsSurface>(bench_.source().surface->shape).sections, i, y, tr("section"));
+  });
+  column->add(tr("At y"), along);
+  auto* area = new QWidget;
+  auto* grid = new QGridLayout(area);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  for (std::size_t p = 0; p < section.points.size(); ++p)
+    for (const int axis : {0, 1}) {
+      NumberField* number =
+          field([of, p, axis](DesignedSurface& s) -> double& { return of(s).points[p](axis); },
+                placeInSurface(bench_,
+                               at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis))),
+                tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
+      grid->addWidget(number, int(p), axis);
     }
-    column->addWide(area);
-    addSectionButtons(column, i, surface.sections.size());
+  // Numbers alone stand where one curve is told.
+  for (std::size_t p = 0; p < section.points.size() && shows_ == Shows::whole; ++p) {
+    auto* gone = new QToolButton;
+    gone->setText(QChar(0xd7));
+    gone->setAccessibleName(tr("Remove point %1 of section %2").arg(p + 1).arg(i + 1));
+    gone->setToolTip(bezier ? tr("Takes the pole away, of a chain the joint next to it with its legs")
+                            : tr("Takes the point away"));
+    gone->setEnabled(section.points.size() > 2);
+    connect(gone, &QToolButton::clicked, this, [this, i, p] { removePoint(bench_, i, p); });
+    grid->addWidget(gone, int(p), 2);
   }
+  column->addWide(area);
+  if (shows_ == Shows::whole) addSectionButtons(column, i, surface.sections.size());
 }
 
 void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, std::size_t count) {
@@ -432,71 +463,75 @@ void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) 
   column->addWide(
       makeNote(tr("Between the key blades all numbers run smoothly, so that every blade of the "
                   "surface is an elastica.")));
-  for (std::size_t i = 0; i < count; ++i) {
-    column->addHeading(tr("Key blade %1").arg(i + 1));
-    const auto of = [i](DesignedSurface& s) -> KeyBlade& {
-      return std::get<BladesSurface>(s.shape).blades[i];
-    };
-    const std::string place = at("/blades", i);
-    const auto add = [&](const QString& label, const Get& get, const std::string& key, const Unit& unit,
-                         const QString& tip) {
-      const QString name = tr("%1 of key blade %2").arg(label).arg(i + 1);
-      column->add(label, field(get, placeInSurface(bench_, place + key), name, unit), tip);
-    };
-    const Unit mm, bare{3, 0.1, {}, 1};
-    add(
-        tr("At y"), [of](DesignedSurface& s) -> double& { return of(s).y; }, "/y", mm,
-        tr("Its place along the travel"));
-    add(
-        tr("Middle x"), [of](DesignedSurface& s) -> double& { return of(s).middle.x(); }, "/middle/0", mm,
-        tr("Where the middle of the blade lies"));
-    add(
-        tr("Middle z"), [of](DesignedSurface& s) -> double& { return of(s).middle.y(); }, "/middle/1", mm,
-        tr("How high the middle of the blade lies"));
-    add(
-        tr("Lean"), [of](DesignedSurface& s) -> double& { return of(s).angle; }, "/angle_deg",
-        {2, 1, QStringLiteral("°"), kDegree}, tr("Angle of the tangent at the middle"));
-    for (const std::size_t end : {0u, 1u}) {
-      const QString label = end == 0 ? tr("Left end z") : tr("Right end z");
-      column->add(
-          label,
-          endField(i, end, placeInSurface(bench_, place + "/end_heights/" + std::to_string(end)),
-                   tr("%1 of key blade %2").arg(label).arg(i + 1)),
-          tr("How high this end of the blade lies; the blade is turned about its other end, as it is. An "
-             "expression here frees those of middle and lean"));
-    }
-    add(
-        tr("Length"), [of](DesignedSurface& s) -> double& { return of(s).length; }, "/length_mm", mm,
-        tr("From end to end of the curve; the blade goes on beyond"));
-    add(
-        tr("Bend"), [of](DesignedSurface& s) -> double& { return of(s).bend; }, "/bend", bare,
-        tr("Curvature at the middle times the length: the turning of an arc of that curvature, rad; below 0 "
-           "for an arch"));
-    add(
-        tr("Force along"), [of](DesignedSurface& s) -> double& { return of(s).force.x(); }, "/force/0", bare,
-        tr("Force along the tangent at the middle, times length squared over stiffness"));
-    add(
-        tr("Force across"), [of](DesignedSurface& s) -> double& { return of(s).force.y(); }, "/force/1", bare,
-        tr("Force across the blade at the middle, times length squared over stiffness: it makes the blade "
-           "bend more to one side"));
-    auto* buttons = new QWidget;
-    auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
-    auto* more = new QPushButton(tr("Add one after"));
-    more->setAccessibleName(tr("Add a key blade after %1").arg(i + 1));
-    more->setToolTip(tr("The blade halfway to the next one, as it is"));
-    more->setEnabled(i + 1 < count);
-    connect(more, &QPushButton::clicked, this, [this, i] { addBlade(bench_, i); });
-    auto* less = new QPushButton(tr("Remove"));
-    less->setAccessibleName(tr("Remove key blade %1").arg(i + 1));
-    less->setToolTip(count > 2 ? tr("The blades beside it run into each other then")
-                               : tr("A surface has two key blades at least"));
-    less->setEnabled(count > 2);
-    connect(less, &QPushButton::clicked, this, [this, i] { removeBlade(bench_, i); });
-    row->addWidget(more);
-    row->addWidget(less);
-    row->addStretch();
-    column->addWide(buttons);
+  for (std::size_t i = 0; i < count; ++i) addBladeFields(column, i, count);
+}
+
+void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_t count) {
+  column->addHeading(tr("Key blade %1").arg(i + 1));
+  const auto of = [i](DesignedSurface& s) -> KeyBlade& { return std::get<BladesSurface>(s.shape).blades[i]; };
+  const std::string place = at("/blades", i);
+  const auto add = [&](const QString& label, const Get& get, const std::string& key, const Unit& unit,
+                       const QString& tip) {
+    const QString name = tr("%1 of key blade %2").arg(label).arg(i + 1);
+    return column->add(label, field(get, placeInSurface(bench_, place + key), name, unit), tip);
+  };
+  const Unit mm, bare{3, 0.1, {}, 1};
+  NumberField* along = add(
+      tr("At y"), [of](DesignedSurface& s) -> double& { return of(s).y; }, "/y", mm,
+      tr("Its place along the travel"));
+  along->setCheck([this, i](double y) {
+    return whyNotAt(std::get<BladesSurface>(bench_.source().surface->shape).blades, i, y, tr("key blade"));
+  });
+  add(
+      tr("Middle x"), [of](DesignedSurface& s) -> double& { return of(s).middle.x(); }, "/middle/0", mm,
+      tr("Where the middle of the blade lies"));
+  add(
+      tr("Middle z"), [of](DesignedSurface& s) -> double& { return of(s).middle.y(); }, "/middle/1", mm,
+      tr("How high the middle of the blade lies"));
+  add(
+      tr("Lean"), [of](DesignedSurface& s) -> double& { return of(s).angle; }, "/angle_deg",
+      {2, 1, QStringLiteral("°"), kDegree}, tr("Angle of the tangent at the middle"));
+  for (const std::size_t end : {0u, 1u}) {
+    const QString label = end == 0 ? tr("Left end z") : tr("Right end z");
+    column->add(
+        label,
+        endField(i, end, placeInSurface(bench_, place + "/end_heights/" + std::to_string(end)),
+                 tr("%1 of key blade %2").arg(label).arg(i + 1)),
+        tr("How high this end of the blade lies; the blade is turned about its other end, as it is. An "
+           "expression here frees those of middle and lean"));
   }
+  add(
+      tr("Length"), [of](DesignedSurface& s) -> double& { return of(s).length; }, "/length_mm", mm,
+      tr("From end to end of the curve; the blade goes on beyond"));
+  add(
+      tr("Bend"), [of](DesignedSurface& s) -> double& { return of(s).bend; }, "/bend", bare,
+      tr("Curvature at the middle times the length: the turning of an arc of that curvature, rad; below 0 "
+         "for an arch"));
+  add(
+      tr("Force along"), [of](DesignedSurface& s) -> double& { return of(s).force.x(); }, "/force/0", bare,
+      tr("Force along the tangent at the middle, times length squared over stiffness"));
+  add(
+      tr("Force across"), [of](DesignedSurface& s) -> double& { return of(s).force.y(); }, "/force/1", bare,
+      tr("Force across the blade at the middle, times length squared over stiffness: it makes the blade "
+         "bend more to one side"));
+  if (shows_ == Shows::curve) return;
+  auto* buttons = new QWidget;
+  auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
+  auto* more = new QPushButton(tr("Add one after"));
+  more->setAccessibleName(tr("Add a key blade after %1").arg(i + 1));
+  more->setToolTip(tr("The blade halfway to the next one, as it is"));
+  more->setEnabled(i + 1 < count);
+  connect(more, &QPushButton::clicked, this, [this, i] { addBlade(bench_, i); });
+  auto* less = new QPushButton(tr("Remove"));
+  less->setAccessibleName(tr("Remove key blade %1").arg(i + 1));
+  less->setToolTip(count > 2 ? tr("The blades beside it run into each other then")
+                             : tr("A surface has two key blades at least"));
+  less->setEnabled(count > 2);
+  connect(less, &QPushButton::clicked, this, [this, i] { removeBlade(bench_, i); });
+  row->addWidget(more);
+  row->addWidget(less);
+  row->addStretch();
+  column->addWide(buttons);
 }
 
 void SurfaceFields::changeSectionKind(std::size_t section, SectionCurve::Kind kind) {

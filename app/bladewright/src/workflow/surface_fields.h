@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,13 +42,17 @@ class FormulaField : public TypedField {
 };
 
 /// The numbers of a designed surface: its kind, the heights of its poles, its formula, its sections, or its
-/// key blades; hidden where the source is a file. Edits go to the design.
+/// key blades; or of one of its curves (`bw/core/design/surface_curves.h`) with the place of its frame
+/// (curve_fields.cpp). Hidden where the source is a file. Edits go to the design.
 class SurfaceFields : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SurfaceFields(Workbench& bench, QWidget* parent = nullptr);
+  enum class Shows { whole, curve };
+  explicit SurfaceFields(Workbench& bench, Shows shows = Shows::whole, QWidget* parent = nullptr);
   void refresh();
+  /// The curve whose numbers the next refresh shows, counted from 0; nothing: what belongs to none.
+  void setCurve(const std::optional<int>& curve) { curve_ = curve; }
 
  private:
   using Get = std::function<double&(DesignedSurface&)>;
@@ -57,8 +62,15 @@ class SurfaceFields : public QWidget {
   void addPoles(FormColumn* column, const PolesSurface& surface);
   void addFormula(FormColumn* column);
   void addSections(FormColumn* column, const SectionsSurface& surface);
+  void addSectionFields(FormColumn* column, std::size_t i, const SectionsSurface& surface);
   void addSectionButtons(FormColumn* column, std::size_t section, std::size_t count);
   void addBlades(FormColumn* column, const BladesSurface& surface);
+  void addBladeFields(FormColumn* column, std::size_t i, std::size_t count);
+  /// The lines of one curve, or of none.
+  void addCurve(FormColumn* column, const DesignedSurface& surface);
+  void addRow(FormColumn* column, int row, const PolesSurface& surface);
+  void addTangents(FormColumn* column, std::size_t section, const SectionCurve& curve);
+  void addFrame(FormColumn* column);
   void addRectangle(FormColumn* column);
   /// How a number is shown and typed: `scale` of it is one of the unit, in which the file has it, too.
   struct Unit {
@@ -66,6 +78,7 @@ class SurfaceFields : public QWidget {
     double step = 5;
     QString suffix = QStringLiteral("mm");
     double scale = 1;
+    double most = 1e7;  ///< of it, either way
   };
   /// A field for a number of the surface, in the file at this place.
   NumberField* field(const Get& get, const NumberPlace& place, const QString& name, const Unit& unit);
@@ -98,16 +111,26 @@ class SurfaceFields : public QWidget {
   };
   NumberField* endField(std::size_t blade, std::size_t end, const NumberPlace& place, const QString& name);
   void showEnds(const DesignedSurface& surface);
+  /// The direction of the tangent at a joint or an end of a chain of cubics: it follows from the poles, and
+  /// turns the legs beside it where it is typed.
+  struct Tangent {
+    NumberField* field;
+    std::size_t section, pole;
+  };
+  void showTangents(const DesignedSurface& surface);
   Workbench& bench_;
+  Shows shows_;
+  std::optional<int> curve_;
   QVBoxLayout* layout_;
   std::string built_;  ///< what the lines are for
   ChoiceField* kinds_ = nullptr;
   ChoiceField* lofts_ = nullptr;
-  std::vector<ChoiceField*> sectionKinds_;
+  std::vector<std::pair<std::size_t, ChoiceField*>> sectionKinds_;  ///< by their section
   NumberField *columns_ = nullptr, *rows_ = nullptr;
   FormulaField* formula_ = nullptr;
   std::vector<Number> numbers_;
   std::vector<End> ends_;
+  std::vector<Tangent> tangents_;
 };
 
 }  // namespace bw::app

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// The fields of one curve of a designed surface, and of the place of its frame.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bw/core/base/units.h"
+#include "bw/core/design/surface_curves.h"
+#include "workflow/surface_fields.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::size_t kMostFields = 120;  // more numbers are for the file
+constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+
+/// Where cubics begin, end and meet: every third pole. Other curves have no tangent of their own to be told.
+bool hasTangent(const SectionCurve& curve, std::size_t pole) {
+  return curve.kind == SectionCurve::Kind::bezier && curve.points.size() >= 4 && pole % 3 == 0 &&
+         pole < curve.points.size();
+}
+
+/// The legs of a joint: the poles beside it, of which an end has one.
+std::vector<std::size_t> legsOf(const SectionCurve& curve, std::size_t joint) {
+  std::vector<std::size_t> legs;
+  if (joint > 0) legs.push_back(joint - 1);
+  if (joint + 1 < curve.points.size()) legs.push_back(joint + 1);
+  return legs;
+}
+
+/// The tangent at a joint, against x; nothing where its legs have no length.
+std::optional<double> tangentAt(const SectionCurve& curve, std::size_t joint) {
+  const std::vector<std::size_t> legs = legsOf(curve, joint);
+  const std::size_t from = legs.front() < joint ? legs.front() : joint, to = std::max(joint, legs.back());
+  const Eigen::Vector2d along = curve.points[to] - curve.points[from];
+  if (along.norm() == 0) return {};
+  return std::atan2(along.y(), along.x());
+}
+
+/// Turns the legs of a joint about it; each keeps its length.
+void turnTangent(SectionCurve& curve, std::size_t joint, double angle) {
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), at = curve.points[joint];
+  for (const std::size_t leg : legsOf(curve, joint)) {
+    const double length = (curve.points[leg] - at).norm();
+    curve.points[leg] = at + (leg > joint ? length : -length) * along;
+  }
+}
+
+}  // namespace
+
+void SurfaceFields::addCurve(FormColumn* column, const DesignedSurface& surface) {
+  const auto* poles = std::get_if<PolesSurface>(&surface.shape);
+  const auto* loft = std::get_if<SectionsSurface>(&surface.shape);
+  const int count = curveCount(surface);
+  if (!curve_ || *curve_ >= count) {
+    if (count > 0)
+      column->addWide(
+          makeNote(tr("Choose one of its curves, in the tree above or by a handle in the picture: "
+                      "its numbers then stand here.")));
+    if (poles) addRectangle(column);
+    if (std::holds_alternative<FormulaSurface>(surface.shape)) addFormula(column);
+  } else if (poles) {
+    addRow(column, *curve_, *poles);
+  } else if (loft) {
+    const auto i = std::size_t(*curve_);
+    if (const std::size_t numbers = 1 + 2 * loft->sections[i].points.size(); numbers > kMostFields) {
+      column->addWide(
+          makeNote(tr("%1 numbers are too many for fields; they are in the design file.").arg(numbers)));
+    } else {
+      addSectionFields(column, i, *loft);
+      addTangents(column, i, loft->sections[i]);
+    }
+  } else {
+    addBladeFields(column, std::size_t(*curve_), std::size_t(count));
+  }
+  addFrame(column);
+}
+
+void SurfaceFields::addRow(FormColumn* column, int row, const PolesSurface& surface) {
+  column->addHeading(tr("Row %1, heights of its poles").arg(row + 1));
+  for (int c = 0; c < surface.columns; ++c)
+    column->add(tr("Pole %1").arg(c + 1),
+                field([row, c](DesignedSurface& s)
+                          -> double& { return std::get<PolesSurface>(s.shape).at(row, c).height; },
+                      placeOfPole(bench_, row, c), tr("pole %1 of row %2").arg(c + 1).arg(row + 1)),
+                tr("How high it lies"));
+}
+
+void SurfaceFields::addTangents(FormColumn* column, std::size_t section, const SectionCurve& curve) {
+  bool first = true;
+  for (std::size_t pole = 0; pole < curve.points.size(); ++pole) {
+    if (!hasTangent(curve, pole)) continue;
+    if (std::exchange(first, false)) column->addHeading(tr("Tangents"));
+    const QString name = tr("tangent at pole %1 of section %2").arg(pole + 1).arg(section + 1);
+    auto* field = new NumberField({-360, 360, 2, 1, QString(QChar(0xb0))});
+    field->setAccessibleName(name);
+    column->add(
+        tr("At pole %1").arg(pole + 1), field,
+        tr("Angle of the curve against x. It follows from the poles: the legs turn about the pole and "
+           "keep their lengths, and expressions of their numbers are free then"));
+    connect(field, &NumberField::edited, this, [this, section, pole, name](double degrees) {
+      edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) {
+        turnTangent(std::get<SectionsSurface>(surface.shape).sections[section], pole, degrees * kDegree);
+      });
+    });
+    tangents_.push_back({field, section, pole});
+  }
+}
+
+void SurfaceFields::showTangents(const DesignedSurface& surface) {
+  const auto* loft = std::get_if<SectionsSurface>(&surface.shape);
+  for (const Tangent& tangent : tangents_) {
+    const std::optional<double> angle = tangentAt(loft->sections[tangent.section], tangent.pole);
+    tangent.field->setEnabled(angle.has_value());
+    if (angle) tangent.field->show(*angle / kDegree);
+  }
+}
+
+void SurfaceFields::addFrame(FormColumn* column) {
+  column->addHeading(tr("Where it lies"));
+  for (int i = 0; i < 3; ++i) {
+    const QString name = tr("Origin %1").arg(kAxes[std::size_t(i)]);
+    column->add(name,
+                field([i](DesignedSurface& s) -> double& { return s.origin[i]; },
+                      placeInSurface(bench_, "/frame/origin/" + std::to_string(i)), name),
+                tr("Of the frame that the surface is told in, in that of the design"));
+  }
+  for (int i = 0; i < 3; ++i) {
+    const QString name = tr("Turned about %1").arg(kAxes[std::size_t(i)]);
+    column->add(name,
+                field([i](DesignedSurface& s) -> double& { return s.rotation[i]; },
+                      placeInSurface(bench_, "/frame/rotation_deg/" + std::to_string(i)), name,
+                      {2, 5, QString(QChar(0xb0)), kDegree, 360}),
+                tr("Of its frame: about X, then the new Y, then the new Z"));
+  }
+}
+
+}  // namespace bw::app

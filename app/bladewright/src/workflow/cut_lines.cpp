@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/cut_lines.h"
+
+#include <algorithm>
+
+#include "workflow/bound_number.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr double kShortest = 10;  // mm, of a blade
+
+}  // namespace
+
+CutLines::CutLines(Workbench& bench, FormColumn* column, QObject* parent)
+    : QObject(parent), bench_(bench), stations_(new StationLines(bench, column, false, this)) {
+  direction_ = new DirectionLines(
+      column,
+      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
+       tr("Direction %1")},
+      [this] { return bench_.cut().direction; },
+      [this] {
+        const auto* cut = bench_.shownCut();
+        return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());
+      },
+      [this](const DirectionLines::Value& direction) {
+        bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = direction; });
+      },
+      this);
+  up_ = addChoice(column, tr("On top"), tr("The face of the block that lies on top while it is cut"),
+                  {tr("Top"), tr("Bottom"), tr("Left"), tr("Right"), tr("Front"), tr("Back")},
+                  tr("Lay block"), [](Cut& cut, int index) { cut.pose.up = BlockFace(index); });
+  turn_ = addChoice(column, tr("Turned by"),
+                    tr("Then turned about the vertical, counter-clockwise seen from above"),
+                    {tr("0°"), tr("90°"), tr("180°"), tr("270°")}, tr("Turn block"),
+                    [](Cut& cut, int index) { cut.pose.quarters = index; });
+  order_ = addChoice(
+      column, tr("Order"), tr("When it is made among the cuts of its block: the lowest first, unless told"),
+      {}, tr("Change order"),
+      [](Cut& cut, int index) { cut.order = index == 0 ? std::nullopt : std::optional(index); });
+  keep_ = addChoice(column, tr("Keeps what is"),
+                    tr("The foam that stays, seen from the surface as the block lies"),
+                    {tr("Below"), tr("Above"), tr("Left"), tr("Right"), tr("In front"), tr("Behind")},
+                    tr("Keep other side"), [](Cut& cut, int index) { cut.keep = KeptSide(index); });
+  addOffset(column);
+  addLength(column);
+}
+
+ChoiceField* CutLines::addChoice(FormColumn* column, const QString& title, const QString& tip,
+                                 const QStringList& items, const QString& step,
+                                 const std::function<void(Cut&, int)>& change) {
+  auto* field = column->add(title, new ChoiceField, tip);
+  field->addItems(items);
+  connect(field, &QComboBox::activated, this,
+          [this, step, change](int index) { bench_.editCut(step, [&](Cut& cut) { change(cut, index); }); });
+  return field;
+}
+
+void CutLines::addOffset(FormColumn* column) {
+  offset_ = column->add(tr("Offset"), new NumberField({0, Cut::kMostOffset, 2, 1, "mm"}),
+                        tr("How far the foam stands back from the surface, along its normals. Only for a cut "
+                           "alone in its block"));
+  connect(offset_, &NumberField::edited, this, [this](double offset) {
+    bench_.editCut(tr("Change offset"), [offset](Cut& cut) { cut.offset = offset; });
+  });
+  bindNumber(bench_, offset_, placeInCut(bench_, "/offset"));
+}
+
+void CutLines::addLength(FormColumn* column) {
+  own_ = column->addCheck(tr("Blade length of its own"),
+                          tr("On: this cut is made with a blade of another length than the others"));
+  connect(own_, &QCheckBox::clicked, this, [this](bool on) {
+    const auto result = bench_.sweep();
+    const double now = result ? result->sweep.request.blade.length : bench_.design().blade.length;
+    bench_.editCut(on ? tr("Give cut a blade length") : tr("Take the design's blade length"),
+                   [=](Cut& cut) { cut.length = on ? std::optional(now) : std::nullopt; });
+  });
+  length_ = column->add(tr("Blade length"), new NumberField({kShortest, Blade::kLongest, 2, 10, "mm"}),
+                        tr("Of the blade of this cut, from grip to grip"));
+  connect(length_, &NumberField::edited, this, [this](double length) {
+    bench_.editCut(tr("Change blade length"), [length](Cut& cut) { cut.length = length; });
+  });
+  bindNumber(bench_, length_, placeInCut(bench_, "/blade_length"));
+}
+
+void CutLines::refresh() {
+  const Cut& cut = bench_.cut();
+  const auto beside = int(std::ranges::count(bench_.design().cuts, cut.block, &Cut::block));
+  stations_->refresh();
+  direction_->refresh();
+  up_->show(int(cut.pose.up));
+  turn_->show(cut.pose.quarters);
+  const int places = std::max(beside, cut.order.value_or(0));
+  if (order_->count() != places + 1) {
+    order_->clear();
+    order_->addItem(tr("Lowest first"));
+    for (int i = 1; i <= places; ++i) order_->addItem(QString::number(i));
+  }
+  order_->show(cut.order.value_or(0));
+  keep_->show(int(cut.keep));
+  // Of a single cut there is no order, and what stays is below it; several take no offset, but what one has
+  // all the same can be taken away.
+  setLineVisible(order_, beside > 1);
+  setLineVisible(keep_, beside > 1);
+  setLineVisible(offset_, beside == 1 || cut.offset != 0);
+  offset_->show(cut.offset);
+  own_->setChecked(cut.length.has_value());
+  setLineVisible(length_, cut.length.has_value());
+  if (cut.length) length_->show(*cut.length);
+}
+
+}  // namespace bw::app
