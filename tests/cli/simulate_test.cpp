@@ -84,7 +84,7 @@ std::pair<int, int> sizeOf(const std::string& png) {
 
 TEST(Simulate, DrawsWhatTheProgramCuts) {
   const Folder folder;
-  rationalize(folder);
+  rationalizeTo(folder);
   const Finished run = blade({"simulate", folder / "out", "--out", folder / "sim"});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string target = slurp(folder / "sim/cut.png"), shown = slurp(folder / "sim/cut-from-shown.png");

@@ -117,20 +117,20 @@ PartIds ofSources(std::set<std::string> ids) {
 }  // namespace
 
 TEST(PartMarks, OfCurvesStandInAListOfTheirOwn) {
-  const Design design = designOf(loft());
+  const Design design = test::designOf(loft().dump());
   EXPECT_EQ(design.marks.hidden, ofSources({"loft/2"}));
   EXPECT_EQ(design.marks.locked, ofSources({"loft/3"}));
   const json written = json::parse(designToJson(design));
   EXPECT_EQ(written["hidden"], json({{"curves", {"loft/2"}}}));
   EXPECT_EQ(written["locked"], json({{"curves", {"loft/3"}}}));
-  EXPECT_EQ(designOf(written), design);
+  EXPECT_EQ(test::designOf(written.dump()), design);
   // The surface itself is marked beside its curves, and curves that are gone are not written.
   Design other = design;
   other.marks.hidden.sources = {"loft", "loft/1", "loft/4", "loft/01", "loft/", "face/1"};
   EXPECT_EQ(json::parse(designToJson(other))["hidden"],
             json({{"sources", {"loft"}}, {"curves", {"loft/1"}}}));
   for (const char* id : {"loft/0", "loft/4", "loft/01", "loft", "loft/x", "face/1"})
-    EXPECT_NE(errorOf(loft(), "hidden", {{"curves", {id}}}).find("has no curve of that id"),
+    EXPECT_NE(errorWith(loft(), "hidden", {{"curves", {id}}}).find("has no curve of that id"),
               std::string::npos)
         << id;
   EXPECT_EQ(curveOf(design, "loft/2")->source, "loft");
@@ -138,7 +138,7 @@ TEST(PartMarks, OfCurvesStandInAListOfTheirOwn) {
 }
 
 TEST(PartMarks, OfCurvesGoWithThem) {
-  const Design design = designOf(loft());
+  const Design design = test::designOf(loft().dump());
   const auto after = [&](const Design& next) { return followed(design.marks, design, next); };
   // One comes between the first two, and one goes.
   const Design more = withSectionAfter(design, 0, 0).value();
@@ -163,7 +163,7 @@ TEST(PartMarks, OfCurvesGoWithThem) {
 }
 
 TEST(PartMarks, KnowARowOfPolesByItsPlaceAndItsPoles) {
-  const Design design = designOf(wall());
+  const Design design = test::designOf(wall().dump());
   const DesignedSurface& face = *design.source().surface;
   EXPECT_EQ(curveCount(face), 4);
   EXPECT_TRUE(isSameCurve(face, 1, face, 1));

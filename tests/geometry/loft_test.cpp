@@ -39,7 +39,7 @@ Eigen::Vector3d cubic(double u, double v) { return {u * u * u - v, v * v * v + u
 TEST(Loft, PassesThroughItsGrid) {
   for (const int rows : {2, 3, 4, 5, 17}) {
     const std::vector<double> v = uneven(rows);
-    const SurfaceGrid grid = gridOf(rows, 9, v, wavy);
+    const SurfaceGrid grid = gridOf(rows, 9, v, wavyPlace);
     const Result<SplineSurface> surface = loft(grid, v);
     ASSERT_TRUE(surface) << surface.error().message;
     for (int r = 0; r < rows; ++r)
@@ -61,7 +61,7 @@ TEST(Loft, ConvergesWithFourthOrder) {
   const auto error = [](int n) {
     std::vector<double> v;
     for (int i = 0; i < n; ++i) v.push_back(double(i) / (n - 1));
-    const Result<SplineSurface> surface = loft(gridOf(n, n, v, wavy), v);
+    const Result<SplineSurface> surface = loft(gridOf(n, n, v, wavyPlace), v);
     double worst = 0;
     for (double u = 0; u <= 1; u += 0.0113)
       for (double t = 0; t <= 1; t += 0.0127)
@@ -74,8 +74,8 @@ TEST(Loft, ConvergesWithFourthOrder) {
 TEST(Loft, IsTheInterpolationOfDenseAlgebra) {
   for (const int rows : {2, 3, 4, 12, 60}) {
     const std::vector<double> v = uneven(rows);
-    const SurfaceGrid grid = gridOf(rows, 101, v, wavy);
-    const Result<SplineSurface> surface = loft(grid, v), dense = test::interpolated(grid, v);
+    const SurfaceGrid grid = gridOf(rows, 101, v, wavyPlace);
+    const Result<SplineSurface> surface = loft(grid, v), dense = bw::test::interpolated(grid, v);
     ASSERT_TRUE(surface && dense);
     EXPECT_EQ(surface->knotsU, dense->knotsU);
     EXPECT_EQ(surface->knotsV, dense->knotsV);
@@ -85,7 +85,7 @@ TEST(Loft, IsTheInterpolationOfDenseAlgebra) {
 }
 
 TEST(Loft, RefusesCoincidentStations) {
-  const SurfaceGrid grid = gridOf(3, 3, {0, 0.5, 1}, wavy);
+  const SurfaceGrid grid = gridOf(3, 3, {0, 0.5, 1}, wavyPlace);
   EXPECT_FALSE(loft(grid, {0, 0, 1}));
   EXPECT_FALSE(loft(grid, {0, NAN, 1}));
   EXPECT_FALSE(loft(grid, {0, 1}));

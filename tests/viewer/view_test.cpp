@@ -20,6 +20,7 @@
 
 namespace {
 
+using bw::kPatience;
 using bw::scene::Camera;
 using bw::scene::Pick;
 using bw::scene::Style;
