@@ -268,11 +268,12 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
     bool done = true;
     for (int i = 0; i < list.count() && done; ++i) {
       QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(i)).center());
+      // While it is drawn more may be known, and buttons are others.
+      picture("remedies");
       QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
       for (QPushButton* button : buttons()) {
         const QString text = button->text();
         if (!button->isVisible() || text.startsWith("Search") || !seen.insert(text).second) continue;
-        picture("remedies");
         const Design before = bench().design();
         QTest::mouseClick(button, Qt::LeftButton);
         EXPECT_FALSE(before == bench().design()) << text.toStdString() << " does nothing";
@@ -295,7 +296,11 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
 TEST_F(WindowTest, ChoosesMapsByKeyAndByChoice) {
   openPanel();
   for (const std::string& name : MapBar::fieldNames()) {
-    window().commands()[QString::fromStdString("map." + name)]->trigger();
+    QAction* command = window().commands()[QString::fromStdString("map." + name)];
+    // One cut meets no other.
+    EXPECT_EQ(command->isEnabled(), name != "crease") << name;
+    if (!command->isEnabled()) continue;
+    command->trigger();
     EXPECT_EQ(window().sceneView().sceneStyle()[scene::Kind::cut].map, name);
     picture("map-" + name);
   }

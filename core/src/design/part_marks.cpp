@@ -77,7 +77,7 @@ void write(ordered_json& object, const char* key, const std::vector<List>& lists
     json ids = json::array();
     for (const std::string& id : marked.*list.member)
       if (list.there.contains(id)) ids.push_back(id);
-    if (!ids.empty()) written[list.key] = std::move(ids);
+    if (!ids.empty()) written[list.key] = ids;
   }
   if (!written.empty()) object[key] = std::move(written);
 }
