@@ -57,8 +57,8 @@ void expectMixtureIsTold(const Folder& folder, const std::string& file) {
 
 TEST(ResultFolder, NamesItsRunInReportSweepAndEveryModule) {
   const Folder folder;
-  // So slowly that no station follows too soon to be a target.
-  rationalize(folder, panelJob(R"("stations": 2100, "tolerance": 10, "cutting_speed": 2)"), "out");
+  // So slowly that a move past a station would take longer than one may.
+  rationalize(folder, panelJob(R"("stations": 2100, "tolerance": 10, "cutting_speed": 0.3)"), "out");
   const std::string out = folder / "out", run = runOf(out);
   EXPECT_EQ(run.size(), 16u);
   EXPECT_EQ(json::parse(slurp(out + "/sweep.json"))["run"], run);
