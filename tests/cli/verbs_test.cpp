@@ -301,7 +301,7 @@ TEST(SecondRun, LeavesNoModuleOfTheFirst) {
     return finished.err;
   };
   // So slowly that no station follows too soon to be a target.
-  const std::string first = run(panelJob(R"("stations": 2100, "tolerance": 10, "cutting_speed": 2)"));
+  const std::string first = run(panelJob(R"("stations": 2100, "tolerance": 10, "cutting_speed": 0.3)"));
   EXPECT_EQ(first.find("removed"), std::string::npos) << first;
   ASSERT_EQ(countOf(folder.files(), "_002.mod"), 2);
   // What others put there stays, whatever its name.
