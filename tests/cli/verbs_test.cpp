@@ -165,7 +165,7 @@ TEST(Export, RepeatsTheWarningsOfTheCheck) {
   const Folder folder;
   const std::string job = folder.write(
       "job.json",
-      R"({"block": {"origin": [-250, -2, -300], "size": [500, 4, 600]}, "direction": "y", "stations": 60, "lead": 0, "cutting_speed": 0.5})");
+      R"({"block": {"origin": [-250, -2, -300], "size": [500, 4, 600]}, "direction": "y", "stations": 60, "lead": 0, "cutting_speed": 0.05})");
   const std::string warning = "zones are larger than half of a segment";
   const Finished run =
       blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
@@ -334,7 +334,7 @@ TEST(SecondRun, OfAnExportLeavesNoModuleOfTheFirst) {
   const auto withStations = [&](int stations) {
     json design = json::parse(slurp(folder / "a.bladewright"));
     design["cuts"][0]["stations"] = stations;
-    design["process"]["cutting_speed"] = 2;
+    design["process"]["cutting_speed"] = 0.3;
     return folder.write("a.bladewright", design.dump());
   };
   const auto run = [&](int stations, const char* format) {
