@@ -336,7 +336,6 @@ class WorkbenchMonkey : public testing::Test {
     ASSERT_TRUE(saved) << saved.error().message;
     const Result<Design> opened = loadDesign(file);
     ASSERT_TRUE(opened) << opened.error().message;
-    kept.process.up.normalize();
     for (Cut& cut : kept.cuts)
       if (cut.direction) cut.direction->normalize();
     EXPECT_EQ(designToJson(*opened), designToJson(kept));

@@ -14,6 +14,7 @@
 #include "bw/core/parts/crease.h"
 #include "bw/core/text/number_text.h"
 #include "crossings.h"
+#include "report_picture.h"
 
 namespace bw::pipeline {
 
@@ -220,10 +221,20 @@ std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation) {
       Severity::error};
 }
 
+Result<ReportPicture> pictureFrom(scene::Scene& scene, scene::View view, bool parallel, const char* name,
+                                  const char* title) {
+  constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
+  scene.setCamera(scene.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight));
+  const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  Result<std::string> png = scene::pngBytes(*picture);
+  if (!png) return tl::unexpected<Error>(png.error());
+  return ReportPicture{name, title, std::move(*png), kWidth, kHeight};
+}
+
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context) {
   scene::Scene scene;
   scene.setContent(sceneContent(evaluation));
-  constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
   std::vector<ReportPicture> pictures;
   for (const PictureOfReport& wanted : kReportPictures) {
     if (context.stopped()) return stoppedError();
@@ -233,13 +244,10 @@ Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, 
     style.tolerance = evaluation.design.process.tolerance;
     style.marker = uncoveredMark(evaluation);
     scene.setStyle(style);
-    const scene::View view = wanted.above ? scene::View::top : scene::View::iso;
-    scene.setCamera(scene.fitFrom(scene::directionOf(view), wanted.above, double(kWidth) / kHeight));
-    const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+    Result<ReportPicture> picture = pictureFrom(scene, wanted.above ? scene::View::top : scene::View::iso,
+                                                wanted.above, wanted.name, wanted.title);
     if (!picture) return tl::unexpected<Error>(picture.error());
-    Result<std::string> png = scene::pngBytes(*picture);
-    if (!png) return tl::unexpected<Error>(png.error());
-    pictures.push_back({wanted.name, wanted.title, std::move(*png), kWidth, kHeight});
+    pictures.push_back(std::move(*picture));
   }
   return pictures;
 }

@@ -9,6 +9,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/scene_content.h"
+#include "report_picture.h"
 
 namespace bw::pipeline {
 
@@ -59,7 +60,6 @@ Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, con
                                              {},
                                              {{kFromShown.field, run.compared.motionTolerance}}});
   scene.setContent(std::move(content));
-  constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
   std::vector<ReportPicture> pictures;
   for (const PictureOfRun& wanted : over ? std::vector{kFromTarget, kFromShown} : std::vector{kAlone}) {
     if (context.stopped()) return stoppedError();
@@ -68,12 +68,9 @@ Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, con
     style.tolerance = run.compared.tolerance;
     style.marker = markOf(run, wanted);
     scene.setStyle(style);
-    scene.setCamera(scene.fitFrom(scene::directionOf(scene::View::iso), false, double(kWidth) / kHeight));
-    const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+    Result<ReportPicture> picture = pictureFrom(scene, scene::View::iso, false, wanted.name, wanted.title);
     if (!picture) return tl::unexpected<Error>(picture.error());
-    Result<std::string> png = scene::pngBytes(*picture);
-    if (!png) return tl::unexpected<Error>(png.error());
-    pictures.push_back({wanted.name, wanted.title, std::move(*png), kWidth, kHeight});
+    pictures.push_back(std::move(*picture));
   }
   return pictures;
 }

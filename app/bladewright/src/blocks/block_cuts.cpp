@@ -7,6 +7,7 @@
 
 #include "workflow/bound_number.h"
 #include "workflow/cut_length.h"
+#include "workflow/cut_words.h"
 
 namespace bw::app {
 
@@ -104,15 +105,12 @@ void BlockCuts::rebuild(const std::vector<std::string>& cuts) {
     line.order = addChoice("order", tr("Order"), {}, cut, tr("Change order"), [](Cut& own, int index) {
       own.order = index == 0 ? std::nullopt : std::optional(index);
     });
-    line.up = addChoice("faceUp", tr("On top"),
-                        {tr("Top"), tr("Bottom"), tr("Left"), tr("Right"), tr("Front"), tr("Back")}, cut,
-                        tr("Lay block"), [](Cut& own, int index) { own.pose.up = BlockFace(index); });
-    line.turn = addChoice("turn", tr("Turned by"), {tr("0°"), tr("90°"), tr("180°"), tr("270°")}, cut,
-                          tr("Turn block"), [](Cut& own, int index) { own.pose.quarters = index; });
-    line.keep =
-        addChoice("keep", tr("Keeps what is"),
-                  {tr("Below"), tr("Above"), tr("Left"), tr("Right"), tr("In front"), tr("Behind")}, cut,
-                  tr("Keep other side"), [](Cut& own, int index) { own.keep = KeptSide(index); });
+    line.up = addChoice("faceUp", tr("On top"), faceWords(), cut, tr("Lay block"),
+                        [](Cut& own, int index) { own.pose.up = BlockFace(index); });
+    line.turn = addChoice("turn", tr("Turned by"), turnWords(), cut, tr("Turn block"),
+                          [](Cut& own, int index) { own.pose.quarters = index; });
+    line.keep = addChoice("keep", tr("Keeps what is"), keptWords(), cut, tr("Keep other side"),
+                          [](Cut& own, int index) { own.keep = KeptSide(index); });
     for (ChoiceField* field : {line.order, line.up, line.keep}) field->setFixedWidth(kWidth);
     line.turn->setFixedWidth(kTurnWidth);
     lines_.push_back(line);

@@ -111,7 +111,7 @@ void NumberField::refreshUnit() {
   const int number = fontMetrics().horizontalAdvance(text()) + (words.isEmpty() ? 0 : wide + kUnitGap);
   const int room = width() - 2 * kUnitMargin - number - kUnitGap;
   told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
-  placeTold(*told_, told, room);
+  placeTold(*told_, QLatin1Char('=') + told, room);
 }
 
 bool NumberField::event(QEvent* event) {

@@ -22,10 +22,10 @@ QLabel* makeTold(QWidget& field) {
   return told;
 }
 
-void placeTold(QLabel& told, const QString& expression, int room) {
+void placeTold(QLabel& told, const QString& text, int room) {
   const int width = std::max(room, 0);
-  const QString shown = told.fontMetrics().elidedText(kEquals + expression, Qt::ElideRight, width);
-  told.setText(shown.startsWith(kEquals) ? shown : QString(kEquals));
+  const QString shown = told.fontMetrics().elidedText(text, Qt::ElideRight, width);
+  told.setText(text.startsWith(kEquals) && !shown.startsWith(kEquals) ? QString(kEquals) : shown);
   told.setGeometry(kMargin, 0, width, told.parentWidget()->height());
 }
 

@@ -10,7 +10,8 @@ namespace bw::app {
 
 /// A label at the left end of `field`, hidden as yet.
 QLabel* makeTold(QWidget& field);
-/// Puts "=expression" into `room` px, shortened where it is longer.
-void placeTold(QLabel& told, const QString& expression, int room);
+/// Puts what is told ("=width/2", "=width; 500") into `room` px, shortened where it is longer; of an
+/// expression its = at least is seen.
+void placeTold(QLabel& told, const QString& text, int room);
 
 }  // namespace bw::app

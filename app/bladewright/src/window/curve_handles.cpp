@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "bw/core/design/surface_curves.h"
@@ -70,6 +71,8 @@ void markCurves(const Workbench& bench, scene::Handles& handles) {
     for (const int handle : handlesOf(*source.surface, curve))
       handles.points[std::size_t(handle)].setConstant(std::numeric_limits<double>::quiet_NaN());
   }
+  // What is drawn beside them, such as what a handle lies in line with.
+  curves.insert(curves.end(), std::make_move_iterator(drawn), std::make_move_iterator(handles.curves.end()));
   handles.curves = std::move(curves);
   const std::optional<int> lit = curveOfHandle(*source.surface, handles.lit);
   if (lit && (bench.locked(object(*lit)) || bench.locked({Object::Kind::surface, source.id})))

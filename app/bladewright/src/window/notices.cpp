@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "bw/core/text/printable.h"
 #include "controls/fields.h"
@@ -145,6 +146,7 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
     if (i < 0 || std::size_t(i) >= shown_.size()) return;
     const Message message = shown_[std::size_t(i)];
     bench_.showPlace(message);
+    looked_ = Looked{message.text, bench_.selection().cut};
     emit chosen(message);
   };
   connect(this, &QListWidget::itemClicked, this, show);
@@ -157,6 +159,9 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
 }
 
 void MessageList::refresh() {
+  // What is known a moment later does not take the one that is looked at out of the hand.
+  const std::optional<Looked> looked = std::exchange(looked_, std::nullopt);
+  std::optional<Message> still;
   shown_ = bench_.messages();
   std::ranges::stable_sort(shown_, std::ranges::greater(), &Message::severity);
   clear();
@@ -171,6 +176,10 @@ void MessageList::refresh() {
     item->setData(Qt::UserRole, int(i));
     item->setToolTip(tr("Click to see the place"));
     item->setData(Qt::AccessibleTextRole, QString(severityName(message.severity)) + ": " + message.text);
+    if (still || !looked || message.text != looked->text || bench_.selection().cut != looked->cut) continue;
+    setCurrentItem(item);
+    looked_ = looked;
+    still = message;
   }
   if (shown_.empty()) {
     auto* item = new QListWidgetItem(
@@ -180,7 +189,7 @@ void MessageList::refresh() {
     item->setForeground(theme_.colours().secondary);
   }
   emit counted(errors, warnings);
-  emit chosen({});
+  emit chosen(still.value_or(Message()));
 }
 
 MessagePanel::MessagePanel(Workbench& bench, const Theme& theme, QWidget* parent)
@@ -208,6 +217,7 @@ void MessagePanel::offer(const Message& message) {
     connect(button, &QPushButton::clicked, this,
             [this, offered] { bench_.editDesign(offered.text, offered.change); });
     row->insertWidget(row->count() - 1, button);
+    button->show();
   }
   row_->setVisible(row->count() > 1);
 }

@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "controls/theme.h"
@@ -77,6 +79,12 @@ class MessageList : public QListWidget {
   Workbench& bench_;
   const Theme& theme_;
   std::vector<Message> shown_;
+  /// The message that was chosen last, and the cut it is about.
+  struct Looked {
+    QString text;
+    std::string cut;
+  };
+  std::optional<Looked> looked_;
 };
 
 /// The messages, and below them a button for each thing that would mend the chosen one.

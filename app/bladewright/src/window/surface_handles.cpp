@@ -25,7 +25,7 @@ constexpr int kCurveParts = 32;                   // of a key blade
 constexpr double kSnapReach = 6, kSnapMark = 14;  // pixels
 constexpr double kAlongTravel = 0.94;             // cosine between it and the line of sight
 constexpr double kSameNumber = 1e-4;              // mm
-constexpr double kFlattest = 0.3;                 // share of a plane that another shows of it
+constexpr double kLeastShown = 0.3;               // share of a plane that another shows of it
 constexpr std::array kNumbers = {HandleNumber::across, HandleNumber::height};
 
 /// Without the last digits that a turned frame leaves of a round number.
@@ -464,7 +464,7 @@ void SurfaceHandles::drag(const Frame& plane, const Eigen::Vector2d& by, double 
   const Eigen::Vector2d across(x.dot(plane.x), x.dot(plane.y)), up(z.dot(plane.x), z.dot(plane.y));
   const double shown = across.x() * up.y() - across.y() * up.x();
   Eigen::Vector2d moved(0, by.y() / up.y());
-  if (pull_ && pull_->freely && std::abs(shown) > kFlattest)
+  if (pull_ && pull_->freely && std::abs(shown) > kLeastShown)
     moved = {(by.x() * up.y() - by.y() * up.x()) / shown,
              (across.x() * by.y() - across.y() * by.x()) / shown};
   drag(moved, pixel / std::abs(up.y()), keys);

@@ -5,47 +5,29 @@
 #include <algorithm>
 
 #include "workflow/bound_number.h"
+#include "workflow/cut_length.h"
+#include "workflow/cut_words.h"
 
 namespace bw::app {
 
-namespace {
-
-constexpr double kShortest = 10;  // mm, of a blade
-
-}  // namespace
-
 CutLines::CutLines(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench), stations_(new StationLines(bench, column, false, this)) {
-  direction_ = new DirectionLines(
-      column,
-      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
-       tr("Direction %1")},
-      [this] { return bench_.cut().direction; },
-      [this] {
-        const auto* cut = bench_.shownCut();
-        return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());
-      },
-      [this](const DirectionLines::Value& direction) {
-        bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = direction; });
-      },
-      this);
+  direction_ = makeCutDirection(bench, column, this);
   up_ = addChoice(column, tr("On top"), tr("The face of the block that lies on top while it is cut"),
-                  {tr("Top"), tr("Bottom"), tr("Left"), tr("Right"), tr("Front"), tr("Back")},
-                  tr("Lay block"), [](Cut& cut, int index) { cut.pose.up = BlockFace(index); });
+                  faceWords(), tr("Lay block"), [](Cut& cut, int index) { cut.pose.up = BlockFace(index); });
   turn_ = addChoice(column, tr("Turned by"),
-                    tr("Then turned about the vertical, counter-clockwise seen from above"),
-                    {tr("0°"), tr("90°"), tr("180°"), tr("270°")}, tr("Turn block"),
-                    [](Cut& cut, int index) { cut.pose.quarters = index; });
+                    tr("Then turned about the vertical, counter-clockwise seen from above"), turnWords(),
+                    tr("Turn block"), [](Cut& cut, int index) { cut.pose.quarters = index; });
   order_ = addChoice(
       column, tr("Order"), tr("When it is made among the cuts of its block: the lowest first, unless told"),
       {}, tr("Change order"),
       [](Cut& cut, int index) { cut.order = index == 0 ? std::nullopt : std::optional(index); });
   keep_ = addChoice(column, tr("Keeps what is"),
-                    tr("The foam that stays, seen from the surface as the block lies"),
-                    {tr("Below"), tr("Above"), tr("Left"), tr("Right"), tr("In front"), tr("Behind")},
+                    tr("The foam that stays, seen from the surface as the block lies"), keptWords(),
                     tr("Keep other side"), [](Cut& cut, int index) { cut.keep = KeptSide(index); });
   addOffset(column);
-  addLength(column);
+  length_ = column->add(tr("Own length"), makeCutLength(bench, [this] { return bench_.cut().id; }),
+                        tr("Of the blade of this cut alone, from grip to grip; empty: that of the design"));
 }
 
 ChoiceField* CutLines::addChoice(FormColumn* column, const QString& title, const QString& tip,
@@ -66,23 +48,6 @@ void CutLines::addOffset(FormColumn* column) {
     bench_.editCut(tr("Change offset"), [offset](Cut& cut) { cut.offset = offset; });
   });
   bindNumber(bench_, offset_, placeInCut(bench_, "/offset"));
-}
-
-void CutLines::addLength(FormColumn* column) {
-  own_ = column->addCheck(tr("Blade length of its own"),
-                          tr("On: this cut is made with a blade of another length than the others"));
-  connect(own_, &QCheckBox::clicked, this, [this](bool on) {
-    const auto result = bench_.sweep();
-    const double now = result ? result->sweep.request.blade.length : bench_.design().blade.length;
-    bench_.editCut(on ? tr("Give cut a blade length") : tr("Take the design's blade length"),
-                   [=](Cut& cut) { cut.length = on ? std::optional(now) : std::nullopt; });
-  });
-  length_ = column->add(tr("Blade length"), new NumberField({kShortest, Blade::kLongest, 2, 10, "mm"}),
-                        tr("Of the blade of this cut, from grip to grip"));
-  connect(length_, &NumberField::edited, this, [this](double length) {
-    bench_.editCut(tr("Change blade length"), [length](Cut& cut) { cut.length = length; });
-  });
-  bindNumber(bench_, length_, placeInCut(bench_, "/blade_length"));
 }
 
 void CutLines::refresh() {
@@ -106,9 +71,7 @@ void CutLines::refresh() {
   setLineVisible(keep_, beside > 1);
   setLineVisible(offset_, beside == 1 || cut.offset != 0);
   offset_->show(cut.offset);
-  own_->setChecked(cut.length.has_value());
-  setLineVisible(length_, cut.length.has_value());
-  if (cut.length) length_->show(*cut.length);
+  showCutLength(*length_, cut);
 }
 
 }  // namespace bw::app

@@ -26,14 +26,12 @@ class CutLines : public QObject {
                          const QStringList& items, const QString& step,
                          const std::function<void(Cut&, int)>& change);
   void addOffset(FormColumn* column);
-  void addLength(FormColumn* column);
 
   Workbench& bench_;
   StationLines* stations_;
   DirectionLines* direction_;
   ChoiceField *up_, *turn_, *order_, *keep_;
   NumberField *offset_, *length_;
-  QCheckBox* own_;
 };
 
 }  // namespace bw::app

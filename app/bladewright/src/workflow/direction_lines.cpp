@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/direction_lines.h"
 
+#include <QCoreApplication>
+
 namespace bw::app {
 
 namespace {
@@ -65,6 +67,23 @@ void DirectionLines::refresh() {
 void DirectionLines::setVisible(bool visible) {
   visible_ = visible;
   refresh();
+}
+
+DirectionLines* makeCutDirection(Workbench& bench, FormColumn* column, QObject* parent) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("DirectionLines", text); };
+  return new DirectionLines(
+      column,
+      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
+       tr("Direction %1")},
+      [&bench] { return bench.cut().direction; },
+      [&bench] {
+        const auto* cut = bench.shownCut();
+        return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());
+      },
+      [&bench, tr](const DirectionLines::Value& direction) {
+        bench.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = direction; });
+      },
+      parent);
 }
 
 }  // namespace bw::app

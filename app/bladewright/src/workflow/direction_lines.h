@@ -12,6 +12,7 @@
 
 #include "controls/fields.h"
 #include "controls/number_field.h"
+#include "workbench/workbench.h"
 
 namespace bw::app {
 
@@ -46,5 +47,8 @@ class DirectionLines : public QObject {
   std::array<NumberField*, 3> numbers_;
   bool vector_ = false;  ///< shown as numbers even where it is an axis
 };
+
+/// Those of the travel of the cut selected.
+DirectionLines* makeCutDirection(Workbench& bench, FormColumn* column, QObject* parent);
 
 }  // namespace bw::app

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/grid_fields.h"
 
-#include <QHelpEvent>
-#include <QToolTip>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "bw/core/base/units.h"
@@ -14,7 +10,6 @@
 #include "bw/core/design/grid_change.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
-#include "controls/told_expression.h"
 #include "workbench/block_layout.h"
 #include "workflow/bound_number.h"
 
@@ -24,8 +19,6 @@ namespace {
 
 constexpr double kSmallest = 1, kLargest = 1e5;  // mm, of a block
 constexpr int kDigits = 8;
-constexpr double kSame = 1e-12;    // relative: what a length and its expression may differ by
-constexpr int kEdges = 2 * 9 + 4;  // px, beside and between what a field shows
 constexpr QLatin1Char kEquals('=');
 constexpr QLatin1String kBetween("; ");
 
@@ -63,14 +56,12 @@ std::string placeOf(std::size_t index) { return "/" + std::to_string(index); }
 
 /// Those of the expressions that came to the lengths that there are.
 LengthExpressions standing(const LengthExpressions& told, const std::vector<double>& lengths) {
-  const auto is = [](double length, const BoundNumber& bound) {
-    return std::abs(length - bound.value) <= kSame * std::abs(bound.value);
-  };
   LengthExpressions stand;
   if (const auto all = told.find(""); all != told.end())
-    if (std::ranges::all_of(lengths, [&](double length) { return is(length, all->second); })) return {*all};
+    if (std::ranges::all_of(lengths, [&](double length) { return standsFor(length, all->second); }))
+      return {*all};
   for (std::size_t i = 0; i < lengths.size(); ++i)
-    if (const auto one = told.find(placeOf(i)); one != told.end() && is(lengths[i], one->second))
+    if (const auto one = told.find(placeOf(i)); one != told.end() && standsFor(lengths[i], one->second))
       stand.insert(*one);
   return stand;
 }
@@ -105,10 +96,8 @@ std::string countPlace(std::size_t way) { return std::string("/grid/") + kGridWa
 }  // namespace
 
 LengthsField::LengthsField(double min, double max, QWidget* parent)
-    : TypedField(parent), min_(min), max_(max), told_(makeTold(*this)) {
-  setAlignment(Qt::AlignRight);
+    : ToldListField(parent), min_(min), max_(max) {
   setProperty("limits", limitsText());
-  connect(this, &QLineEdit::textChanged, this, &LengthsField::refreshTold);
 }
 
 void LengthsField::show(const std::vector<double>& lengths, const LengthExpressions& expressions) {
@@ -131,43 +120,6 @@ QString LengthsField::expression() const {
                                         : kEquals + QString::fromStdString(one->second.text));
   }
   return parts.join(kBetween);
-}
-
-void LengthsField::refreshTold() {
-  const QString told = expression();
-  told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
-  placeTold(*told_, told.startsWith(kEquals) ? told.mid(1) : told,
-            width() - kEdges - fontMetrics().horizontalAdvance(text()));
-}
-
-bool LengthsField::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip && !expression().isEmpty()) {
-    const QString tip = tr("%1\nNumbers typed here take its place.").arg(expression());
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                       toolTip().isEmpty() ? tip : toolTip() + QLatin1Char('\n') + tip, this);
-    return true;
-  }
-  return TypedField::event(event);
-}
-
-void LengthsField::resizeEvent(QResizeEvent* event) {
-  TypedField::resizeEvent(event);
-  refreshTold();
-}
-
-/// What is shown is another with and without the keyboard.
-void LengthsField::focusInEvent(QFocusEvent* event) {
-  const bool told = !expressions_.empty() && !typing();
-  if (told) setText(valueText());
-  TypedField::focusInEvent(event);
-  if (told) selectAll();
-  refreshTold();
-}
-
-void LengthsField::focusOutEvent(QFocusEvent* event) {
-  TypedField::focusOutEvent(event);
-  if (!expressions_.empty() && !typing()) setText(valueText());
-  refreshTold();
 }
 
 QString LengthsField::readExpression(const QString& text, double* length) const {

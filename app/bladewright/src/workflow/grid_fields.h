@@ -18,7 +18,7 @@
 #include "bw/core/text/expression.h"
 #include "controls/fields.h"
 #include "controls/number_field.h"
-#include "controls/typed_field.h"
+#include "controls/told_list_field.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -30,7 +30,7 @@ using LengthExpressions = std::map<std::string, BoundNumber>;
 /// A line of lengths in mm, one for all or one each: "600", "600; 500; 600". A comma followed by a space
 /// parts them too. Each may be an expression: "=width", "=width; 500; =width/2"; of those that are, both
 /// are shown, and the expressions alone while they are typed into.
-class LengthsField : public TypedField {
+class LengthsField : public ToldListField {
   Q_OBJECT
 
  public:
@@ -43,7 +43,7 @@ class LengthsField : public TypedField {
   /// What an expression, without its =, comes to, or why it comes to nothing.
   void setExpressions(std::function<Result<double>(const std::string&)> value) { value_ = std::move(value); }
   /// What is typed into: "=width; 500; =width/2"; empty where no expression stands.
-  QString expression() const;
+  QString expression() const override;
 
  signals:
   /// As many as were shown.
@@ -53,22 +53,16 @@ class LengthsField : public TypedField {
   QString take(const QString& text) override;
   QString valueText() const override;
   QString limitsText() const override;
-  bool event(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   /// One of the lengths that were typed; why it is none, or nothing.
   QString read(const QString& text, std::size_t place, double* length) const;
   QString readExpression(const QString& text, double* length) const;
-  void refreshTold();
 
   double min_, max_;
   std::vector<double> lengths_;
   LengthExpressions expressions_;  ///< those that the lengths stand for now
   std::function<Result<double>(const std::string&)> value_;
-  QLabel* told_;
 };
 
 /// How many blocks lie side by side, how large they are and how far apart, and where the grid of them stands;

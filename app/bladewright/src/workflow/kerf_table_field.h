@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QLabel>
-
 #include <functional>
 #include <string>
 #include <utility>
 
 #include "bw/core/base/result.h"
 #include "bw/core/sweep/kerf_text.h"
-#include "controls/typed_field.h"
+#include "controls/told_list_field.h"
 
 namespace bw::app {
 
 /// The kerf over the speed of the blade as pairs of both, "5: 4.2, 20: 2.6"; empty where one width serves.
 /// Each number may be an expression, "5: =width/100; 20: 2.6": of a table that has some both are shown, and
 /// the expressions alone while it is typed into.
-class KerfTableField : public TypedField {
+class KerfTableField : public ToldListField {
   Q_OBJECT
 
  public:
@@ -30,7 +28,7 @@ class KerfTableField : public TypedField {
   /// What an expression, without its =, comes to, or why it comes to nothing.
   void setExpressions(std::function<Result<double>(const std::string&)> value) { value_ = std::move(value); }
   /// What is typed into: "5: =width/100; 20: 2.6"; empty where no expression stands.
-  QString expression() const;
+  QString expression() const override;
 
  signals:
   void edited(const bw::KerfTable& table, const bw::KerfExpressions& expressions);
@@ -39,18 +37,11 @@ class KerfTableField : public TypedField {
   QString take(const QString& text) override;
   QString valueText() const override;
   QString limitsText() const override;
-  bool event(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  void refreshTold();
-
   KerfTable table_;
   KerfExpressions expressions_;  ///< those that its numbers stand for now
   std::function<Result<double>(const std::string&)> value_;
-  QLabel* told_;
 };
 
 }  // namespace bw::app

@@ -16,25 +16,9 @@ const std::string kKerfPlace = "/process/kerf";
 ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent)
     : QObject(parent), bench_(bench) {
   stations_ = new StationLines(bench, column, true, this);
-  addDirection(column);
+  direction_ = makeCutDirection(bench, column, this);
   addNumbers(column, ProcessPart::process);
   addFit(column->addFold(tr("Fit and lead"), theme), theme);
-}
-
-void ProcessFields::addDirection(FormColumn* column) {
-  direction_ = new DirectionLines(
-      column,
-      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
-       tr("Direction %1")},
-      [this] { return bench_.cut().direction; },
-      [this] {
-        const auto* cut = bench_.shownCut();
-        return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());
-      },
-      [this](const DirectionLines::Value& direction) {
-        bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = direction; });
-      },
-      this);
 }
 
 void ProcessFields::addFit(FormColumn* column, const Theme& theme) {

@@ -33,7 +33,6 @@ class ProcessFields : public QObject {
   void refreshStations() { stations_->refresh(); }
 
  private:
-  void addDirection(FormColumn* column);
   void addFit(FormColumn* column, const Theme& theme);
   void addKerf(FormColumn* column);
   void addMargins(FormColumn* column, const Theme& theme);  ///< what of the deviation a margin costs
