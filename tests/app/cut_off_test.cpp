@@ -83,7 +83,9 @@ class NothingIsCutOff : public WindowTest {
 
   void expectAllWhole(const char* state) {
     SCOPED_TRACE(state);
+    // Not a state on its way to the next one: new widths go from layout to layout by posted requests.
     QTest::qWait(20);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QWidget* widget : window().findChildren<QWidget*>()) {
       if (!widget->isVisible() || widget->inherits("QTabBarToolButton") ||
           widget->objectName() == "qt_toolbar_ext_button")
@@ -104,6 +106,7 @@ class NothingIsCutOff : public WindowTest {
     picture("cut-off-panel-" + std::to_string(window().width()));
     for (const char* map : {"curvature", "stress", "speed"}) {
       window().commands()[QString("map.") + map]->trigger();
+      ASSERT_TRUE(settle());
       expectAllWhole(map);
     }
     for (const auto& [kind, name] : {std::pair{Selection::Kind::surface, "surface"},
