@@ -478,5 +478,36 @@ TEST(Sketch, TheReachOfAHandIsFoundBeforeWhatItHoldsIsEvaluated) {
     EXPECT_TRUE(end.bar != Bar::none || std::abs(end.free) == kFarthest) << end.free;
 }
 
+/// Sketches lose on their way what an evaluation finds again: of this block they say that nothing keeps the
+/// blades once a pole is some 4 mm up, where every one is certain.
+TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
+  const Design design = test::sampleWall(1, 1, 17);
+  const auto pulledBy = [&](double up) { return test::pulledWall(design, up); };
+  const auto evaluated = [&](double up) {
+    return std::make_shared<const Evaluation>(evaluate(pulledBy(up), nullptr, {}).evaluation);
+  };
+  const auto barOfEvaluation = [&](double up) {
+    const auto there = evaluated(up);
+    if (!there->complete()) return Bar::noBlade;
+    const std::optional<Sketch> sketch = Sketcher(there).draw(pulledBy(up), {});
+    return sketch ? barOf(*sketch) : Bar::noBlade;
+  };
+  constexpr double kFarthest = 20;
+  ReachSearch search(evaluated(0), pulledBy, kFarthest);
+  while (search.look({}) || search.confirm({})) {
+  }
+  EXPECT_FALSE(search.looking());
+  EXPECT_FALSE(search.unsure());
+  ASSERT_EQ(search.reach().now, Bar::none);
+  for (const Reach::End& end : search.reach().ends) {
+    SCOPED_TRACE(end.free);
+    EXPECT_EQ(barOfEvaluation(end.free), Bar::none);
+    if (end.bar == Bar::none)
+      EXPECT_EQ(std::abs(end.free), kFarthest);
+    else
+      EXPECT_EQ(barOfEvaluation(end.free + std::copysign(ReachSearch::kWithin, end.free)), end.bar);
+  }
+}
+
 }  // namespace
 }  // namespace bw::pipeline

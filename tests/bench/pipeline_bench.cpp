@@ -27,6 +27,7 @@
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
+#include "bw/pipeline/reach.h"
 #include "bw/pipeline/sketch.h"
 #include "sample_wall.h"
 
@@ -374,6 +375,37 @@ BENCHMARK(sketchOfWall)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// How far a hand may pull: a pole, or a point of a section, of one block of 33 stations, of which every
+/// blade follows, to where something bars it. Budget: 100 ms for what stands first. `first_ms`: until the
+/// handle's own place and one look each way are known; `looks`: pairs of sketches until both ends are known
+/// to within half a millimetre.
+void reachOfHandle(benchmark::State& state) {
+  const Design design = test::sampleWall(1, 1, 33, state.range(0) == 0);
+  const auto from = std::make_shared<const Evaluation>(evaluate(design, nullptr, {}).evaluation);
+  if (!from->complete()) return state.SkipWithError("no result");
+  std::vector<double> first;
+  int looks = 0;
+  double below = 0, above = 0;
+  for (auto _ : state) {
+    const auto began = std::chrono::steady_clock::now();
+    ReachSearch search(
+        from, [&](double up) { return test::pulledWall(design, up); }, 250);
+    looks = 1;
+    for (bool more = search.look({}); more; ++looks) {
+      more = search.look({});
+      if (looks == 1)
+        first.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    }
+    below = search.reach().ends[0].free, above = search.reach().ends[1].free;
+    if (search.reach().now != Bar::none) return state.SkipWithError("barred where it is");
+  }
+  state.counters["first_ms"] = 1e3 * quantile(first, 0.5);
+  state.counters["looks"] = looks;
+  state.counters["below_mm"] = below;
+  state.counters["above_mm"] = above;
+}
+BENCHMARK(reachOfHandle)->ArgName("point")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {

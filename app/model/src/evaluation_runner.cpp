@@ -151,7 +151,7 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       std::unique_lock lock(mutex_);
       while (waiting_.empty()) {
         lock.unlock();
-        const bool looked = lookFarther(stop);
+        const bool looked = lookFarther(stop) || confirmBorder(stop);
         lock.lock();
         const auto asked = [this] { return !waiting_.empty() || searched_ != reachNumber_; };
         if (!looked && !wake_.wait(lock, stop, asked)) return;
@@ -243,7 +243,9 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
   if (sketch || search_) {
     const auto until = std::chrono::steady_clock::now() + kHandRest;
     const auto asked = [this] { return !waiting_.empty(); };
-    const auto goesOn = [this, until] { return search_ || std::chrono::steady_clock::now() < until; };
+    const auto goesOn = [this, until] {
+      return (search_ && search_->looking()) || std::chrono::steady_clock::now() < until;
+    };
     std::unique_lock lock(mutex_);
     while (!asked() && !end.stop_requested() && goesOn()) {
       lock.unlock();
@@ -290,15 +292,36 @@ bool EvaluationRunner::lookFarther(const std::stop_token& end) {
     const std::lock_guard lock(mutex_);
     takeSearch();
   }
-  if (!search_ || end.stop_requested()) return false;
+  if (!search_ || !search_->looking() || end.stop_requested()) return false;
   RunContext context;
   context.stop = end;
-  bool more = false;
+  seek([&] { search_->look(context); });
+  return true;
+}
+
+bool EvaluationRunner::confirmBorder(const std::stop_token& end) {
+  if (!search_ || !search_->unsure() || end.stop_requested()) return false;
+  RunContext context;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!waiting_.empty()) return true;
+    running_ = std::stop_source();
+    context.stop = running_.get_token();
+    secondThoughts_ = true;  // whatever is asked for comes first
+  }
+  seek([&] { search_->confirm(context); });
+  const std::lock_guard lock(mutex_);
+  running_ = std::stop_source(std::nostopstate);
+  secondThoughts_ = false;
+  return true;
+}
+
+void EvaluationRunner::seek(const std::function<void()>& step) {
   try {
-    more = search_->look(context);
+    step();
   } catch (const std::exception&) {
     search_.reset();  // what was found until now stands
-    return true;
+    return;
   }
   QMetaObject::invokeMethod(
       this,
@@ -311,8 +334,6 @@ bool EvaluationRunner::lookFarther(const std::stop_token& end) {
         emit reached();
       },
       Qt::QueuedConnection);
-  if (!more) search_.reset();
-  return true;
 }
 
 void EvaluationRunner::takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch) {

@@ -30,20 +30,33 @@ Bar barOf(const Sketch& sketch) {
 
 ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
                          double farthest)
-    : at_(std::move(at)), farthest_(farthest), sides_{Side{Sketcher(from)}, Side{Sketcher(from)}} {}
+    : from_(from),
+      at_(std::move(at)),
+      farthest_(farthest),
+      sides_{Side{Sketcher(from)}, Side{Sketcher(from)}} {}
 
 Bar ReachSearch::barAt(Side& side, double by, const RunContext& context) const {
   const std::optional<Sketch> sketch = side.sketcher.draw(at_(by), context);
   return sketch ? barOf(*sketch) : Bar::noBlade;
 }
 
+bool ReachSearch::looking() const {
+  return !began_ || (reach_.now == Bar::none && (!sides_[0].done || !sides_[1].done));
+}
+
+bool ReachSearch::unsure(std::size_t side) const {
+  return reach_.now == Bar::none && sides_[side].done && !sides_[side].sure;
+}
+
+bool ReachSearch::unsure() const { return unsure(0) || unsure(1); }
+
 bool ReachSearch::look(const RunContext& context) {
   if (!std::exchange(began_, true)) {
     reach_.now = barAt(sides_[1], 0, context);
     if (context.stopped()) began_ = false;
-    return reach_.now == Bar::none;
+    return looking();
   }
-  if (reach_.now != Bar::none) return false;
+  if (!looking()) return false;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
     Reach::End& end = reach_.ends[i];
@@ -61,8 +74,40 @@ bool ReachSearch::look(const RunContext& context) {
       side.barred = next;
     }
     side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
+    side.sure = side.done && end.bar == Bar::none;
   }
-  return !sides_[0].done || !sides_[1].done;
+  return looking();
+}
+
+bool ReachSearch::confirm(const RunContext& context) {
+  const std::size_t i = unsure(0) ? 0 : 1;
+  if (!unsure(i)) return false;
+  Side& side = sides_[i];
+  Reach::End& end = reach_.ends[i];
+  const double by = side.proved ? 0.5 * (std::abs(end.free) + side.barred) : side.barred;
+  const Design design = at_(i == 0 ? -by : by);
+  Outcome outcome = evaluate(design, from_.get(), context);
+  Bar bar = Bar::noBlade;
+  if (outcome.evaluation.complete()) {
+    // Looked at as sketches are, from itself: its blades are where it has them.
+    Sketcher there(std::make_shared<const Evaluation>(std::move(outcome.evaluation)));
+    if (const std::optional<Sketch> sketch = there.draw(design, context)) bar = barOf(*sketch);
+  }
+  if (context.stopped()) return true;
+  if (bar != Bar::none) {
+    end.bar = bar;
+    side.barred = by;
+    side.proved = true;
+  } else {
+    end.free = i == 0 ? -by : by;
+    if (!side.proved) {
+      end.bar = Bar::none;
+      side.sure = by >= farthest_;
+      side.barred = std::min(farthest_, by + std::exchange(side.step, 2 * side.step));
+    }
+  }
+  if (side.proved) side.sure = side.barred - std::abs(end.free) <= kWithin;
+  return true;
 }
 
 }  // namespace bw::pipeline

@@ -112,6 +112,11 @@ class EvaluationRunner : public QObject {
   void takeSearch();
   /// One more look at the reach that is sought; false where there is nothing to look for.
   bool lookFarther(const std::stop_token& end);
+  /// Holds a border of it against an evaluation until something else is asked for; false where there is none
+  /// to hold.
+  bool confirmBorder(const std::stop_token& end);
+  /// A step of the search, and what is known after it.
+  void seek(const std::function<void()>& step);
   void takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch);
   void takeMore(const std::shared_ptr<const pipeline::Evaluation>& before,
                 const std::shared_ptr<const pipeline::Evaluation>& more);

@@ -35,7 +35,8 @@ struct Reach {
 };
 
 /// Seeks how far something of a design may be moved, look by look, from where it is: ever farther, until it
-/// is barred, and back to within `kWithin` of the border.
+/// is barred, and back to within `kWithin` of the border. What sketches tell of a border depends on the way
+/// there, which the blades follow; an evaluation tells whether it bars in truth.
 class ReachSearch {
  public:
   static constexpr double kFirst = 4, kWithin = 0.5;
@@ -45,20 +46,30 @@ class ReachSearch {
   ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
               double farthest);
 
-  /// One more look each way, two sketches; false where there is nothing left to be found. What is free and
-  /// barred between two looks is not seen.
+  /// One more look each way, two sketches; false where they find nothing more. What is free and barred
+  /// between two looks is not seen.
   bool look(const RunContext& context);
+  bool looking() const;
+  /// One evaluation beside a border that sketches found: just beyond it, then, if it bars nothing in truth,
+  /// ever farther and back. False where nothing is left to be held against one.
+  bool confirm(const RunContext& context);
+  bool unsure() const;
   const Reach& reach() const { return reach_; }
 
  private:
   struct Side {
     Sketcher sketcher;
-    double barred = 0;  ///< from here on, where it is known
-    bool done = false;
+    double barred = 0;     ///< from here on, where it is known
+    bool done = false;     ///< sketches find no more
+    bool sure = false;     ///< nor do evaluations
+    bool proved = false;   ///< by an evaluation it is barred there
+    double step = kFirst;  ///< to the next one, while none is
   };
   /// What bars the design that is moved by so much.
   Bar barAt(Side& side, double by, const RunContext& context) const;
+  bool unsure(std::size_t side) const;
 
+  std::shared_ptr<const Evaluation> from_;
   std::function<Design(double)> at_;
   double farthest_;
   std::array<Side, 2> sides_;
