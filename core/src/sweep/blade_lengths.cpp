@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -192,6 +193,8 @@ class OnAll {
         all_(known_ ? Some() : allOf(sections)),
         request_(request),
         trial_(all_, block, planes, context, context.threads) {}
+  OnAll(const OnAll&) = delete;  // its trials look at its own sections
+  OnAll& operator=(const OnAll&) = delete;
 
   bool operator()(RowTrial& trial) const {
     if (known_) return true;
@@ -206,6 +209,13 @@ class OnAll {
   const LengthRequest& request_;
   Trials trial_;
 };
+
+/// What tells whether a trial serves: as asked for, or on all sections.
+template <class... Arguments>
+ServesWhole wholeOr(const ServesWhole& asked, const Arguments&... arguments) {
+  if (asked) return asked;
+  return [all = std::make_shared<const OnAll>(arguments...)](RowTrial& trial) { return (*all)(trial); };
+}
 
 Result<Some> sectionsToTry(const std::vector<Section>& all) {
   Some some = someOf(all);
@@ -422,7 +432,7 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   }
 
   for (RowTrial& one : trials) judgeDistance(one, request.check.tolerance);
-  confirm(lengths, whole ? whole : OnAll(sections, *some, request, block, planes, context));
+  confirm(lengths, wholeOr(whole, sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
   return lengths;
 }
@@ -450,7 +460,7 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   for (RowTrial& one : trade.trials) judgeDistance(one, request.check.tolerance);
-  confirm(trade, whole ? whole : OnAll(sections, *some, request, block, planes, context));
+  confirm(trade, wholeOr(whole, sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
   return trade;
 }
@@ -462,7 +472,7 @@ Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections, cons
   if (!some) return tl::unexpected<Error>(some.error());
   Result<ClearanceTrade> trade = NearerGrips(*some, request, block, planes, context).seek();
   if (!trade) return trade;
-  confirm(*trade, whole ? whole : OnAll(sections, *some, request, block, planes, context));
+  confirm(*trade, wholeOr(whole, sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
   return trade;
 }

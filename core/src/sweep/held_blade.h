@@ -77,6 +77,12 @@ namespace bw::sweep {
   return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm());
 }
 
+/// mm by which a blade that is clamped along its chord sags in its middle where its grips come nearer by
+/// `slack`: a cosine, that of a clamped beam that buckles, as long as that is little of its length.
+[[nodiscard]] inline double sagOfClamped(double length, double slack) {
+  return 2 / kPi * std::sqrt(length * slack);
+}
+
 /// A blade that its grips hold straight but for 0.05 mm: there is no other shape, and none to be followed.
 [[nodiscard]] inline bool isTaut(const BladePose& pose) { return slackOf(pose) < 0.05; }
 

@@ -40,6 +40,7 @@ struct Way {
   std::vector<BladePose> targets = {};             ///< between the two
   std::vector<std::vector<Vector3d>> places = {};  ///< of the part that cuts, on the way
   double off = 0;                                  ///< mm, the farthest of them from the smooth way
+  bool straight = false;                           ///< throughout
 };
 
 /// Follows the blade of a row from station to station as robots move its grips.
@@ -54,9 +55,8 @@ class Follower {
     int moves = 1;
     for (int trial = 0; trial < 3; ++trial) {
       if (best.end == Way::End::arrives && best.off <= tolerance) break;
-      const int asked = best.end == Way::End::arrives
-                            ? int(std::ceil(moves * std::sqrt(kRoom * best.off / tolerance)))
-                            : 4 * moves;
+      const int asked =
+          best.end == Way::End::arrives ? int(std::ceil(moves * partsFor(best, tolerance))) : 4 * moves;
       moves = std::min(std::max(asked, moves + 1), kMostMoves);
       Way finer = follow(i, i + 1, moves);
       const bool better =
@@ -65,6 +65,13 @@ class Follower {
       if (!better || moves == kMostMoves) break;
     }
     return best;
+  }
+
+  /// In how many parts a way is to go to keep within the tolerance: it is off by the square of its length,
+  /// and by its length where a straight blade sags.
+  static double partsFor(const Way& way, double tolerance) {
+    const double times = kRoom * way.off / tolerance;
+    return way.straight ? times : std::sqrt(times);
   }
 
   /// From station i to j in one move, past those between.
@@ -96,15 +103,24 @@ class Follower {
     poses.push_back(row_.poses[end]);
     const int looks = moves > 1 ? 2 : std::max(4, 2 * int(end - start));  // at the way of each move
     if (sweep::isTaut(poses.front()) && sweep::isTaut(poses.back())) {
-      // Straight throughout: its points go evenly, as its ends do.
+      // Straight throughout: its points go evenly, as its ends do. Where it turns on the way, these come
+      // nearer to each other meanwhile, and it sags to either side.
+      way.straight = true;
       for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
+        const Vector3d first = poses[j].rightPoint() - poses[j].leftPoint(),
+                       last = poses[j + 1].rightPoint() - poses[j + 1].leftPoint();
+        const double nearer = std::min(first.norm(), last.norm());
         const std::vector<Vector3d> a = poses[j].cutPoints(kPlaces), b = poses[j + 1].cutPoints(kPlaces);
         for (int k = 1; k <= looks; ++k) {
           if (k == looks && j + 2 == poses.size()) break;
           std::vector<Vector3d>& places = way.places.emplace_back();
           for (std::size_t c = 0; c < a.size(); ++c)
             places.push_back(a[c] + double(k) / looks * (b[c] - a[c]));
-          if (k < looks) way.off = std::max(way.off, offTheWay(places, {}));
+          if (k == looks) continue;
+          const double share = double(k) / looks,
+                       slack = std::max(0.0, nearer - ((1 - share) * first + share * last).norm());
+          way.off =
+              std::max({way.off, offTheWay(places, {}), sweep::sagOfClamped(poses[j].blade.length(), slack)});
         }
       }
       way.end = Way::End::arrives;
@@ -290,7 +306,7 @@ Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, cons
         }
         // How far the way is off grows with the square of its length.
         const std::size_t span = next - i;
-        const double part = arrives ? std::sqrt(tolerance / (kRoom * past.off)) : 0.5;
+        const double part = arrives ? 1 / Follower::partsFor(past, tolerance) : 0.5;
         next = i + std::clamp<std::size_t>(std::size_t(part * double(span)), 1, span - 1);
         while (next > soonest && crowds(next)) --next;
       }

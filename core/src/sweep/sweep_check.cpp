@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "sweep/cut_rows.h"
@@ -27,15 +28,28 @@ std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const std::vector<double> arcs = pose.cutArcs(kPlaces);
   std::vector<double> coarse(kPlaces, kUnknown);
+  // Pushed together, a blade that is nearly straight sags with the root of its slack.
+  const double length = pose.blade.length();
+  const Eigen::Vector2d chord = pose.blade.at(length).point - pose.blade.start();
+  const double slack = std::max(0.0, length - chord.norm());
+  const double error = request.gripError;
   if (sweep::isTaut(pose)) {
-    // A straight beam with clamped ends.
+    // A straight beam with clamped ends, which buckles to either side where its grips come nearer.
+    const double sag = error > 0 ? sweep::sagOfClamped(length, slack + error) : 0;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
-      const double length = pose.blade.length(), s = arcs[k] / length, r = 1 - s;
-      const double left = r * r * (1 + 2 * s) * request.gripError + s * r * r * length * request.gripAngle;
-      const double right = s * s * (1 + 2 * r) * request.gripError + s * s * r * length * request.gripAngle;
+      const double s = arcs[k] / length, r = 1 - s;
+      const double buckled = 0.5 * sag * (1 - std::cos(2 * kPi * s));
+      const double left =
+          std::max(r * r * (1 + 2 * s) * error, buckled) + s * r * r * length * request.gripAngle;
+      const double right =
+          std::max(s * s * (1 + 2 * r) * error, buckled) + s * s * r * length * request.gripAngle;
       coarse[k] = std::max(left, right);
     }
   } else {
+    const double root = std::sqrt(slack), less = std::sqrt(std::max(0.0, slack - error));
+    const double bends = error > 0 && slack > 0
+                             ? std::max(std::sqrt(slack + error) - root, root - less) * 2 * root / error
+                             : 1.0;  // times what the first order tells
     std::optional<HeavyBlade> blade = pose.heavy;
     if (!blade)
       if (const Result<Hanging> light =
@@ -50,9 +64,12 @@ std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const
         const Eigen::RowVector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
         const Eigen::Matrix<double, 1, 6> across = normal * by->byGrips[k].topRows<2>();
         double farthest = 0;
-        for (const int grip : {0, 3})
-          farthest = std::max(farthest, request.gripError * across.segment<2>(grip).norm() +
+        for (const int grip : {0, 3}) {
+          const Eigen::Vector2d first = across.segment<2>(grip).transpose(), along = chord.normalized();
+          const double together = first.dot(along);
+          farthest = std::max(farthest, error * (first + (bends - 1) * together * along).norm() +
                                             request.gripAngle * std::abs(across(grip + 2)));
+        }
         coarse[k] = farthest;
       }
     }
