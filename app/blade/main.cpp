@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 #include "bw/core/text/number_text.h"
@@ -110,6 +111,13 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // "blade help" and "blade help VERB" are "blade --help" and "blade VERB --help".
+  char ask[] = "--help";
+  if (argc > 1 && std::string_view(argv[1]) == "help") {
+    if (argc > 2) argv[1] = argv[2];
+    argv[std::min(argc - 1, 2)] = ask;
+    argc = std::min(argc, 3);
+  }
   // A file that outgrows a limit is a failed write with a message, not a death by signal.
   std::signal(SIGXFSZ, SIG_IGN);
   // So is a result for a reader that went away; a message that nobody reads is no reason to end a job.

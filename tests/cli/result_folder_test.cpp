@@ -329,6 +329,30 @@ TEST(ResultFolder, KeepsWhatAPersonPutThere) {
   for (const std::string& name : folder.files()) EXPECT_EQ(name.find(".part-"), std::string::npos) << name;
 }
 
+TEST(ResultFolder, HoldsNothingOfAnotherDesign) {
+  const Folder folder;
+  rationalize(folder, kJobA, "out", {"--handover"});
+  for (const char* name : {"out/report.html", "out/report.pdf", "out/surface.iges", "out/mesh.stl"})
+    ASSERT_TRUE(fs::exists(folder / name)) << name;
+  folder.write("out/pictures/mine.png", "mine");
+  folder.write("out/report.html", slurp(folder / "out/report.html") + "<!-- checked -->");
+  rationalize(folder, kJobB, "out");
+  for (const char* name :
+       {"out/report.pdf", "out/surface.iges", "out/mesh.stl", "out/pictures/deviation.png"})
+    EXPECT_FALSE(fs::exists(folder / name)) << name;
+  EXPECT_TRUE(fs::exists(folder / "out/pictures/mine.png"));
+  EXPECT_TRUE(fs::exists(folder / "out/report.html")) << "somebody changed it";
+  EXPECT_TRUE(fs::exists(folder / "out/mesh.obj"));
+  EXPECT_EQ(blade({"check", folder / "out"}).status, 0);
+  // What it is made from stays, though the run before wrote it and this one does not.
+  const std::string job = folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10)"));
+  fs::copy_file(folder / "out/surface.step", folder / "own.step");
+  const Finished again =
+      blade({"rationalize", folder / "out/surface.step", "--job", job, "--out", folder / "out"});
+  EXPECT_NE(again.status, 0);
+  EXPECT_EQ(slurp(folder / "out/surface.step"), slurp(folder / "own.step"));
+}
+
 TEST(ResultFolder, MayBeTheWorkingFolderOrALink) {
   const Folder folder;
   folder.write("job.json", kJobA);

@@ -35,6 +35,8 @@ TEST(Blade, HelpOfEveryVerbHasAnExample) {
     EXPECT_EQ(run.status, 0) << verb;
     EXPECT_NE(run.out.find("Example:"), std::string::npos) << verb;
   }
+  EXPECT_EQ(blade({"help"}).out, help.out);
+  EXPECT_EQ(blade({"help", "check"}).out, blade({"check", "--help"}).out);
 }
 
 TEST(Blade, EvaluatesAndFitsThroughStandardInput) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "bw/core/files/fingerprint.h"
 #include "bw/core/files/folder_lock.h"
 #include "bw/core/files/replacement.h"
 #include "bw/core/files/temporary_name.h"
@@ -94,9 +95,9 @@ void addTasks(const fs::path& strip, std::set<fs::path>& found) {
     found.merge(ownModules(it->path()));
 }
 
-/// True for "programs/…" that stays inside and meets no link on its way.
-bool isPlainProgramPath(const fs::path& folder, const fs::path& path) {
-  if (path.is_absolute() || path.empty() || *path.begin() != "programs" || !isProgramFile(path)) return false;
+/// True for a file that lies inside and meets no link on its way.
+bool isPlainPath(const fs::path& folder, const fs::path& path) {
+  if (path.is_absolute() || path.empty()) return false;
   std::error_code error;
   fs::path whole = folder;
   for (const fs::path& part : path) {
@@ -108,12 +109,21 @@ bool isPlainProgramPath(const fs::path& folder, const fs::path& path) {
   return fs::is_regular_file(fs::symlink_status(whole, error));
 }
 
-/// The programs that the report of an earlier run lists.
+/// What the report of an earlier run lists: its programs, and of all else what is still as it was written.
 void addListed(const fs::path& folder, std::set<fs::path>& found) {
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
   if (!record || !*record) return;
-  for (const std::string& name : (*record)->files)
-    if (isPlainProgramPath(folder, name)) found.insert(folder / name);
+  for (const std::string& name : (*record)->files) {
+    if (!isPlainPath(folder, name)) continue;
+    if (liesWithin(name, "programs") && isProgramFile(name)) {
+      found.insert(folder / name);
+      continue;
+    }
+    const auto told = (*record)->fingerprints.find(name);
+    if (told == (*record)->fingerprints.end()) continue;
+    const Result<Fingerprint> is = fingerprintOfFile(folder / name);
+    if (is && fingerprintText(*is) == told->second) found.insert(folder / name);
+  }
 }
 
 }  // namespace
@@ -160,7 +170,10 @@ Result<std::vector<fs::path>> commitAfresh(const FileSet& files, const fs::path&
                     "or run again",
                 place.string());
   clearDead(place, files);
-  const std::vector<fs::path> earlier = earlierFiles(place, files);
+  std::vector<fs::path> earlier = earlierFiles(place, files);
+  std::erase_if(earlier, [&](const fs::path& path) {
+    return std::ranges::any_of(inputs, [&](const fs::path& input) { return sameFile(place / path, input); });
+  });
   const std::vector<fs::path> units = programUnits(place, files);
   Result<bool> done = replaceAll(files, place, units, earlier, context);
   const bool stopped = !done && done.error().code == ErrorCode::cancelled;

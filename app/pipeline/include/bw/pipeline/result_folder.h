@@ -39,13 +39,14 @@ Result<std::vector<std::filesystem::path>> commitAfresh(
     const std::vector<std::filesystem::path>& inputs = {}, const RunContext& context = {},
     const std::optional<FolderState>& seen = std::nullopt);
 
-/// Program files that an earlier run of ours left in `folder` and that are not among `files`, which are about
-/// to be written there: those in programs/ that the folder's report.json lists, if `files` brings a new one;
-/// and in each folder of a strip that `files` writes to, motions as CSV and JSON, modules whose head names
-/// Bladewright, their parts and their .pgf. There only the folders of tasks that `files` writes to are looked
-/// at, or all where the strip's folder bears our name, "strip-N". Relative to `folder`, sorted. Nothing
-/// that is itself a symbolic link, nothing outside of the folder, nothing that others wrote; a link that
-/// leads to the folder of a strip, which `files` is written through too, is followed.
+/// Files that an earlier run of ours left in `folder` and that are not among `files`, which are about to be
+/// written there. If `files` brings a new report.json, what that of the folder lists: programs in programs/,
+/// and whatever else is still, by its fingerprint, as it was written. And of programs in each folder of a
+/// strip that `files` writes to, motions as CSV and JSON, modules whose head names Bladewright, their parts
+/// and their .pgf. There only the folders of tasks that `files` writes to are looked at, or all where the
+/// strip's folder bears our name, "strip-N". Relative to `folder`, sorted. Nothing that is itself a symbolic
+/// link, nothing outside of the folder, nothing that others wrote; a link that leads to the folder of a
+/// strip, which `files` is written through too, is followed.
 std::vector<std::filesystem::path> earlierFiles(const std::filesystem::path& folder, const FileSet& files);
 
 }  // namespace bw::pipeline
