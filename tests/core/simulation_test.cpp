@@ -20,6 +20,7 @@
 #include "bw/core/simulation/run_findings.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
+#include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
 
@@ -240,6 +241,11 @@ TEST(Simulation, HaltsWhereNoBladeCanFollow) {
   ASSERT_TRUE(part);
   EXPECT_GT(part->covered, 0);
   EXPECT_LT(part->covered, 0.9);
+  const Findings told = runFindings(torn, *part, made.motion, made.analysis, {}, {});
+  const Finding* lost = test::findingOf<LostOnTheWay>(told);
+  ASSERT_TRUE(lost);
+  EXPECT_EQ(lost->severity, Severity::error);
+  EXPECT_NE(std::get<LostOnTheWay>(lost->cause).why.find("farther apart"), std::string::npos);
 
   const Simulation tilted = halted([](MotionInstant& at) { at.poses[0].position.y() += 2; });
   EXPECT_EQ(tilted.halt->why, Halt::Why::offPlane);
@@ -403,6 +409,18 @@ TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
     return now.frame.toWorld(now.blade.at(400).point).z();
   };
   EXPECT_GT(height(over->blades.front()) * -height(over->blades.back()), 0);
+  // Either is an error of a design whose motion does so, unless it is told already.
+  const Motion motion = tilting(fromSideToSide());
+  const Findings snaps = runFindings(*over, {}, motion, {}, {}, {});
+  ASSERT_EQ(snaps.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<SnapsOnTheWay>(snaps[0].cause));
+  EXPECT_EQ(snaps[0].severity, Severity::error);
+  EXPECT_EQ(runFindings(*over, {}, motion, {}, {}, snaps).size(), 0u);
+  const Motion still = tilting({{0, 0}, {1, 0.05}});
+  const Findings undecided = runFindings(*slack, {}, still, {}, {}, {});
+  ASSERT_EQ(undecided.size(), 1u);
+  EXPECT_TRUE(std::get<NoWay>(undecided[0].cause).entry);
+  EXPECT_EQ(runFindings(*slack, {}, still, {}, {}, undecided).size(), 0u);
 }
 
 TEST(Simulation, MeansAreOverTheAreaThatIsCut) {

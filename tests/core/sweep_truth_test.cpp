@@ -578,10 +578,32 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_LT(whole.distance, 1e-9);
   EXPECT_TRUE(whole.findings.empty());
 
-  // Off the surface, but under it: that is deviation.
+  // Under the surface, but off it: a part of a target that no blade followed.
   TriangleMesh lifted = rectangle(-100, 100, -80, 0);
   for (Vector3d& p : lifted.points) p.z() = 30;
+  const Coverage off = look(lifted);
+  EXPECT_NEAR(off.distance, 30, 1e-9);
+  EXPECT_EQ(off.share(), 0);
+  ASSERT_EQ(off.findings.size(), 1u);
+  EXPECT_EQ(std::get<Uncovered>(off.findings[0].cause).where, Uncovered::Where::off);
+  EXPECT_EQ(coverageOf(flatCut(), *sweep, lifted, 2, 30).share(), 1) << "asked to stand back so far";
+  for (Vector3d& p : lifted.points) p.z() = 1.9;
+  EXPECT_EQ(look(lifted).share(), 1) << "within the tolerance";
   EXPECT_LT(look(lifted).distance, 1e-9);
+  // A step of the target down to the surface: its upper part is off by what it stands above it.
+  TriangleMesh wall;
+  wall.points = {{-100, -40, 0}, {100, -40, 0}, {100, -40, 20}, {-100, -40, 20}};
+  wall.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Coverage upright = look(wall);
+  EXPECT_NEAR(upright.distance, 20, 1e-9);
+  EXPECT_NEAR(upright.share(), 0.1, 0.05);
+
+  // Steep along the travel the plane's own distance is longer than the true one.
+  SurfaceGrid steep = flatCut();
+  for (Vector3d& p : steep.points) p.z() = -4 * p.y() / 8;
+  TriangleMesh beneath = rectangle(-100, 100, -80, 0);
+  for (Vector3d& p : beneath.points) p.z() = -4 * p.y() / 8 - 2.1;
+  EXPECT_EQ(coverageOf(steep, *sweep, beneath, 2).share(), 1) << 2.1 / std::hypot(1, 0.5);
 
   const Coverage beside = look(rectangle(-100, 140, -80, 0));
   EXPECT_NEAR(beside.distance, 40, 1e-9);

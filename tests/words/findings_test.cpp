@@ -142,6 +142,9 @@ TEST(Findings, TellTheRemediesTheyHold) {
   EXPECT_NE(said(GripTooNear{-12, 50}, kAll, {OtherBlock{}})
                 .find("no longer blade of this shape keeps the clearance; choose a smaller block"),
             std::string::npos);
+  EXPECT_NE(said(GripTooNear{49.9902, 50}, kOne, {OtherLength{900}})
+                .find("passes the block at 49.99 mm, less than the clearance of 50 mm"),
+            std::string::npos);
   EXPECT_NE(said(GripTooNear{20, 50}, kOne, {OtherLength{900}})
                 .find("passes the block at 20 mm, less than the clearance of 50 mm"),
             std::string::npos);

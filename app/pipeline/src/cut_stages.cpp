@@ -510,8 +510,9 @@ Result<void> cover(const CutWork& work, double& seconds) {
   return work.settle(
       &CutEvaluation::coverage, checkRequest(work.design, work.cut), {e.analysis.value, e.targetMesh.value},
       seconds, [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
-        const SurfaceGrid cut = longer(e.analysis.value->cut, e.middle.request.back);
-        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
+        const double back = e.middle.request.back;
+        const SurfaceGrid cut = longer(e.analysis.value->cut, back);
+        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value, request.tolerance, back);
         findings = coverage.findings;
         return coverage;
       });
@@ -646,6 +647,8 @@ Result<void> seeTheRun(const CutWork& work, double& seconds) {
                        Result<SimulatedSurface> cut = cutBy(*e.run.value, e, work.context);
                        Findings known = e.analysis.findings;
                        append(known, e.between.findings);
+                       append(known, e.way.findings);
+                       append(known, e.ends.findings);
                        if (cut)
                          findings = runFindings(*e.run.value, *cut, *e.motion.value, *e.analysis.value,
                                                 request, known);

@@ -60,9 +60,8 @@ ordered_json stationJson(const StationView& station) {
   object["blade"] = {{"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
                      {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}},
                      {"parameter", {-s.before / s.cut.length(), 1 + s.after() / s.cut.length()}}};
-  const double curvature = s.maxCurvature();
-  object["max_curvature"] = curvature;
-  object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);
+  object["max_curvature"] = s.maxCurvature();
+  object["min_radius_mm"] = s.minRadius() > 0 ? ordered_json(s.minRadius()) : ordered_json(nullptr);
   object["inflections"] = bladeInflections(s.cut);
   object["stable"] = check.stable;
   object["stability_margin"] = check.stabilityMargin;

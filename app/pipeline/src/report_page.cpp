@@ -86,8 +86,8 @@ void limits(Page& page, const Evaluation& e) {
   ofPrograms("Largest deviation of what the program cuts", all.programMax, design.process.tolerance);
   ofPrograms("Largest distance of that from the surface shown", all.fromShown,
              design.process.motionTolerance);
-  page.checked("Farthest that the target reaches beyond the cut surface", mm(all.uncovered),
-               "at most " + mm(uncoveredLimit), all.uncovered <= uncoveredLimit);
+  page.checked("Farthest that the target reaches beyond the cut surface, or lies off it uncut",
+               mm(all.uncovered), "at most " + mm(uncoveredLimit), all.uncovered <= uncoveredLimit);
   if (e.joints.value && !e.joints.value->joints.empty()) {
     const Joints& joints = *e.joints.value;
     page.checked("Widest gap between neighbouring blocks at their boundary", mm(joints.gapMax()),
@@ -207,10 +207,10 @@ void stations(Page& page, const Evaluation& e, const Strip& strip) {
   const CutResult result = *strip.cut->result();
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView s = result.station(i);
-    const double curvature = s.pose.maxCurvature();
+    const double radius = s.pose.minRadius();
     page.row({std::to_string(s.pose.index + 1), fixedText(s.pose.travel, 1),
               fixedText(s.fit.target.length(), 1), fixedText(s.fit.fit.hausdorff, 3),
-              curvature > 0 ? fixedText(1 / curvature, 0) : "straight", degrees(s.check.angleMax),
+              radius > 0 ? fixedText(radius, 0) : "straight", degrees(s.check.angleMax),
               fixedText(s.check.clearance, 0), fixedText(s.check.stabilityMargin, 2)});
   }
   page.paragraph(

@@ -92,13 +92,13 @@ void stationRows(Lines& lines, const std::vector<Strip>& strips, const Strip& st
     const BladePose& s = station.pose;
     const StationFit& found = station.fit;
     const StationCheck& check = station.check;
-    const double curvature = s.maxCurvature();
+    const double radius = s.minRadius();
     lines.integer(s.index).text(",").fixed(s.travel, 4).text(",").fixed(found.target.length(), 4);
     lines.text(",").fixed(s.cut.length(), 4);
     lines.text(",").fixed(found.fit.R4, 9).text(",").fixed(found.fit.hausdorff, 6);
     lines.text(",").vector(s.leftPoint(), 4, ',').text(",").vector(s.leftTangent(), 8, ',');
     lines.text(",").vector(s.rightPoint(), 4, ',').text(",").vector(s.rightTangent(), 8, ',');
-    lines.text(",").text(curvature > 0 ? fixedText(1 / curvature, 3) : "");
+    lines.text(",").text(radius > 0 ? fixedText(radius, 3) : "");
     lines.text(",").integer(bladeInflections(s.cut));
     lines.text(check.stable ? ",yes," : ",no,").fixed(toDegrees(check.angleMean), 4);
     lines.text(",").fixed(toDegrees(check.angleMax), 4).text(",").fixed(check.speedRatio, 6);

@@ -204,10 +204,17 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
   return none + "; " + whole(cause.best) + " mm, which comes nearest, was taken" + mended;
 }
 
+/// A distance that is to be seen to be less than another one.
+static std::string lessThan(double distance, double limit) {
+  int digits = 3;
+  while (digits < 8 && mm(distance, digits) == mm(limit, digits)) ++digits;
+  return mm(distance, digits);
+}
+
 std::string Sentences::operator()(const GripTooNear& cause) const {
   std::string text =
       at() + (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
-                                 : "a grip passes the block at " + mm(cause.distance) +
+                                 : "a grip passes the block at " + lessThan(cause.distance, cause.clearance) +
                                        ", less than the clearance of " + mm(cause.clearance));
   if (const OtherLength* blade = remedyOf<OtherLength>(finding.remedies))
     return text + "; a blade of at least " + mm(blade->length, 6) + " keeps the clearance";
@@ -308,8 +315,11 @@ std::string Sentences::operator()(const Uncovered& cause) const {
                                ? std::string("a border of the surface in the block")
                                : shortText(100 * cause.share, 3) + " % of the surface in the block (" +
                                      shortText(cause.area, 3) + " mm²)";
-  return part + " is not cut: it reaches " + mm(cause.distance) + where +
-         "; choose another cutting direction, or " + kInParts;
+  const std::string remedy = "; choose another cutting direction, or " + std::string(kInParts);
+  if (cause.where == Uncovered::Where::off)
+    return (cause.area < kHardlyAny ? "a place of the surface in the block" : part) +
+           " is not cut: it lies up to " + mm(cause.distance) + " from what is" + remedy;
+  return part + " is not cut: it reaches " + mm(cause.distance) + where + remedy;
 }
 
 std::string Sentences::operator()(const BladeCrosses& cause) const {
@@ -411,9 +421,14 @@ std::string Sentences::operator()(const NoWay& cause) const {
          " outside of the block: " + cause.why + keptText(finding, "take a shorter or stiffer blade");
 }
 
+/// The way from a station to the next one, or that on which a run of the motion is.
+static std::string wayThere(const Finding& finding, const std::string& atStations) {
+  return finding.where.stations->count > 0 ? atStations + "on the way from there to the next station "
+                                           : onTheWay(finding, atStations);
+}
+
 std::string Sentences::operator()(const SnapsOnTheWay&) const {
-  return at() +
-         "on the way from there to the next station the blade leaves its shape and snaps into another" +
+  return wayThere(finding, at()) + "the blade leaves its shape and snaps into another" +
          keptText(finding, "take a shorter or stiffer blade");
 }
 
@@ -423,8 +438,7 @@ std::string Sentences::operator()(const ArrivesOtherwise&) const {
 }
 
 std::string Sentences::operator()(const LostOnTheWay& cause) const {
-  return at() +
-         "how the blade bends on the way from there to the next station could not be found: " + cause.why;
+  return wayThere(finding, at()) + "the blade could not be followed: " + cause.why;
 }
 
 std::string Sentences::operator()(const TooFarOnTheWay& cause) const {

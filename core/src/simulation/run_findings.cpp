@@ -4,6 +4,7 @@
 #include "bw/core/simulation/run_findings.h"
 
 #include <algorithm>
+#include <string>
 #include <variant>
 
 #include "sweep/sweep_findings.h"
@@ -28,11 +29,27 @@ int stationFrom(const Instants& instants, std::size_t instant) {
   return -1;
 }
 
+/// The stations beside a way from one instant to another.
+StationRange besideOf(const Instants& instants, std::size_t from, std::size_t to) {
+  const int before = stationUpTo(instants, from), after = stationFrom(instants, to);
+  return {before, after, before < 0 ? after : before, 0};
+}
+
 StationRange besideOf(const Simulation& simulation, const Instants& instants, const RunStretch& at) {
   const SimulatedBlade &first = simulation.blades[at.first], &last = simulation.blades[at.last];
-  const int before = stationUpTo(instants, first.instant),
-            after = stationFrom(instants, last.atInstant ? last.instant : last.instant + 1);
-  return {before, after, before < 0 ? after : before, 0};
+  return besideOf(instants, first.instant, last.atInstant ? last.instant : last.instant + 1);
+}
+
+std::string wordsOf(const Halt& halt) {
+  switch (halt.why) {
+    case Halt::Why::tears:
+      return "its grips are farther apart than it is long";
+    case Halt::Why::offPlane:
+      return "its ends are not in one plane";
+    case Halt::Why::lost:
+      break;
+  }
+  return halt.reason;
 }
 
 Eigen::Vector3d middleOf(const SimulatedBlade& at) {
@@ -74,6 +91,26 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
   };
   tell(simulation.crossings(), BladeCrosses{true}, {CutInParts{}});
   tell(simulation.twists(), WouldTwist{}, {});
+  // Where one of the ways was not planned, that is told, and the run begins or ends without it.
+  const bool planned = !told<NoWay>(known);
+  const auto tellAt = [&](std::size_t instant, const Eigen::Vector3d& place, auto cause) {
+    const StationRange beside = besideOf(motion.instants, instant, instant + 1);
+    if (!toldAt<decltype(cause)>(known, beside) && !toldAt<decltype(cause)>(findings, beside))
+      findings.push_back({Severity::error, cause, {beside, place}, {}});
+  };
+  for (const Simulation::Snap& snap : simulation.snaps) {
+    const auto after = std::ranges::lower_bound(simulation.blades, snap.time, {}, &SimulatedBlade::time);
+    if (after != simulation.blades.end()) tellAt(snap.instant, middleOf(*after), SnapsOnTheWay{});
+  }
+  if (const std::optional<Halt>& halt = simulation.halt; halt && planned)
+    tellAt(halt->instant, halt->place, LostOnTheWay{wordsOf(*halt)});
+  if (!simulation.decided && planned)
+    findings.push_back({Severity::error,
+                        NoWay{true,
+                              "between the grips that it begins with the blade rests in two shapes that "
+                              "are about as low"},
+                        {StationRange::of(std::max(0, stationFrom(motion.instants, 0))), {}},
+                        {}});
   const double allowed = request.motionTolerance + simulation.straightWithin;
   if (surface.toDesignMax > allowed && !told<OffTheSurfaceShown>(known)) {
     const int before = stationUpTo(motion.instants, surface.toDesignAt.instant);

@@ -19,14 +19,19 @@ using Eigen::Vector3d;
 constexpr double kFineness = 200;  // samples over the diagonal of the target, where its triangles are larger
 constexpr double kBorder = 0.5;    // mm that are not told
 constexpr int kMostSplits = 64;    // of an edge
+constexpr double kChords = 0.05;   // mm by which the triangles of the cut surface may lie off it
 
 bool within(const Box& box, const Vector3d& place) {
   const Vector3d local = box.frame.toLocal(place);
   return (local.array() >= 0).all() && (local.array() <= box.size.array()).all();
 }
 
-Uncovered causeOf(const Coverage& coverage, const Sweep& sweep) {
+Uncovered causeOf(const Coverage& coverage, const Sweep& sweep, bool off) {
   Uncovered cause{coverage.uncovered, 1 - coverage.share(), coverage.distance};
+  if (off) {
+    cause.where = Uncovered::Where::off;
+    return cause;
+  }
   const auto level = [&](const Frame& frame) { return sweep.planes.direction().dot(frame.origin); };
   const double place = sweep.planes.direction().dot(coverage.point);
   if (place < level(sweep.poses.front().frame))
@@ -38,20 +43,31 @@ Uncovered causeOf(const Coverage& coverage, const Sweep& sweep) {
 
 }  // namespace
 
-Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target, double tolerance) {
+Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target, double tolerance,
+                    double back) {
   Coverage coverage;
   coverage.limit = std::max(tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
   const sweep::SurfaceRows rows(cut, row.planes);
+  bool lies = false;  // off what is cut, where it is farthest, not beyond its border
   const auto see = [&](const Vector3d& place, double area) {
     if (!within(row.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
     const double beyond = std::hypot(seen.across, seen.beside);
+    // Along the plane it is farther from a surface that rises across it than in truth.
+    double off = 0;
+    const double may = coverage.limit + kChords + std::abs(back);
+    if (beyond <= coverage.limit && seen.distance > may) {
+      const double apart = rows.distance(place, std::hypot(seen.distance, beyond));
+      if (apart > std::hypot(may, beyond)) off = apart - std::abs(back);
+    }
     coverage.area += area;
-    if (beyond > coverage.limit) coverage.uncovered += area;
-    if (beyond > coverage.distance) {
-      coverage.distance = beyond;
+    const double missed = std::max(beyond, off);
+    if (missed > coverage.limit) coverage.uncovered += area;
+    if (missed > coverage.distance) {
+      coverage.distance = missed;
       coverage.point = place;
+      lies = off > beyond;
     }
   };
   Vector3d low = target.points.front(), high = low;
@@ -76,8 +92,10 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
         }
   }
   if (coverage.distance > coverage.limit)
-    coverage.findings.push_back(
-        {Severity::error, causeOf(coverage, row), {{}, coverage.point}, {TurnDirection{}, CutInParts{}}});
+    coverage.findings.push_back({Severity::error,
+                                 causeOf(coverage, row, lies),
+                                 {{}, coverage.point},
+                                 {TurnDirection{}, CutInParts{}}});
   return coverage;
 }
 

@@ -119,7 +119,8 @@ std::optional<double> lengthFor(double longest, double clearance) {
 
 std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::size_t last,
                                    const std::function<bool(const Elastica&)>& holds) {
-  const double least = kLengthReserve * longestCut(sweep);
+  double least = kLengthReserve * longestCut(sweep);
+  for (const StationFit& fit : sweep.fits) least = std::max(least, fit.target.length());
   const auto holdsAt = [&](const BladePose& pose, double length) {
     const Result<Elastica> blade = extendedBlade(pose.cut, length);
     return blade && holds(*blade);

@@ -10,6 +10,30 @@ namespace bw::sweep {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// The squared distance of a point from a triangle: from its plane over its inside, else from its sides.
+double squaredFromTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const Vector3d normal = (b - a).cross(c - a), off = point - a;
+  const double size = normal.squaredNorm();
+  const auto inside = [&](const Vector3d& from, const Vector3d& to) {
+    return (to - from).cross(point - from).dot(normal) >= 0;
+  };
+  if (size > 0 && inside(a, b) && inside(b, c) && inside(c, a)) {
+    const double height = off.dot(normal);
+    return height * height / size;
+  }
+  const auto fromSide = [&](const Vector3d& from, const Vector3d& to) {
+    const Vector3d way = to - from;
+    const double length = way.squaredNorm();
+    const double t = length > 0 ? std::clamp((point - from).dot(way) / length, 0.0, 1.0) : 0.0;
+    return (point - from - t * way).squaredNorm();
+  };
+  return std::min({fromSide(a, b), fromSide(b, c), fromSide(c, a)});
+}
+
+}  // namespace
+
 SurfaceRows::SurfaceRows(const SurfaceGrid& cut, const PlaneFamily& planes)
     : cut_(cut), direction_(planes.direction()) {
   for (int r = 0; r < cut.rows; ++r) {
@@ -77,6 +101,38 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
   }
   seen.distance = inPlane(place - cubic(t)).norm();
   return seen;
+}
+
+double SurfaceRows::distance(const Vector3d& place, double within) const {
+  const double level = direction_.dot(place);
+  double nearest = within;
+  const auto away = [&](std::size_t row) {
+    return std::max({0.0, levels_[row] - level, level - levels_[row + 1]});
+  };
+  const auto look = [&](std::size_t row) {
+    const int r = int(row);
+    for (int c = 0; c + 1 < cut_.columns; ++c) {
+      const Vector3d &a = cut_.at(r, c), &b = cut_.at(r, c + 1), &d = cut_.at(r + 1, c),
+                     &e = cut_.at(r + 1, c + 1);
+      const Vector3d middle = 0.25 * (a + b + d + e);
+      const double around = std::sqrt(std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(),
+                                                (d - middle).squaredNorm(), (e - middle).squaredNorm()}));
+      const double reach = nearest + around;
+      if ((place - middle).squaredNorm() >= reach * reach) continue;
+      const double squared =
+          std::min(squaredFromTriangle(place, a, b, e), squaredFromTriangle(place, a, e, d));
+      nearest = std::min(nearest, std::sqrt(squared));
+    }
+  };
+  // From the planes around it outwards: none farther away has anything nearer.
+  const auto above = std::ranges::upper_bound(levels_, level) - levels_.begin();
+  const auto last = std::ptrdiff_t(levels_.size()) - 2;
+  const auto start = std::clamp<std::ptrdiff_t>(above - 1, 0, last);
+  for (std::ptrdiff_t row = start; row >= 0 && away(std::size_t(row)) < nearest; --row)
+    look(std::size_t(row));
+  for (std::ptrdiff_t row = start + 1; row <= last && away(std::size_t(row)) < nearest; ++row)
+    look(std::size_t(row));
+  return nearest;
 }
 
 }  // namespace bw::sweep

@@ -25,6 +25,10 @@ class SurfaceRows {
   };
   Seen look(const Eigen::Vector3d& place) const;
 
+  /// How far a place is from the surface, whatever plane its nearest point lies in, mm; `within`, where it is
+  /// not nearer than that. The surface is that of triangles between the points of the grid.
+  double distance(const Eigen::Vector3d& place, double within) const;
+
  private:
   const SurfaceGrid& cut_;
   Eigen::Vector3d direction_;

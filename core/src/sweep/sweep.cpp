@@ -94,6 +94,11 @@ std::vector<Eigen::Vector3d> BladePose::bladePoints(int count) const {
   return points(evenly(0, blade.length(), count));
 }
 
+double BladePose::minRadius() const {
+  const double curvature = maxCurvature();
+  return curvature * blade.length() > kLeastBend ? 1 / curvature : 0;
+}
+
 bool BladePose::gripsSwapped() const {
   const auto chord = [](const Elastica& e) -> Vector2d { return e.at(e.length()).point - e.start(); };
   return chord(cut).dot(chord(blade)) < 0;

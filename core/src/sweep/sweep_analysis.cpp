@@ -120,7 +120,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
     summary.angleMax = std::max(summary.angleMax, station.angleMax);
     summary.angleStationMeanMax = std::max(summary.angleStationMeanMax, station.angleMean);
     summary.speedRatioMin = std::min(summary.speedRatioMin, station.speedRatio);
-    largestCurvature = std::max(largestCurvature, poses[std::size_t(i)].maxCurvature());
+    if (const double radius = poses[std::size_t(i)].minRadius(); radius > 0)
+      largestCurvature = std::max(largestCurvature, 1 / radius);
   }
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 

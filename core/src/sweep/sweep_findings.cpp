@@ -107,7 +107,9 @@ struct Told {
 
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
 Told tooNear(const Sweep& sweep, double clearance, const CheckRequest& request, const Stretch& stretch) {
-  const GripReach reach = lengthThatClears(sweep, sweep.poses[stretch.worst], request.clearance);
+  GripReach reach = lengthThatClears(sweep, sweep.poses[stretch.worst], request.clearance);
+  // Without its weight this one would do: no longer one is known to help.
+  if (reach.length && *reach.length <= sweep.request.blade.length) reach = {};
   GripTooNear cause{clearance, request.clearance};
   if (reach.length && reach.holds) return {cause, {OtherLength{*reach.length}}};
   cause.unheldLength = reach.length;

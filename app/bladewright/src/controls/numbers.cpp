@@ -26,7 +26,8 @@ QString lengthText(double mm) {
 }
 
 QString radiusText(double mm) {
-  return mm > kStraight || !std::isfinite(mm) ? QStringLiteral("straight") : shortNumber(mm, 3) + " mm";
+  return mm <= 0 || mm > kStraight || !std::isfinite(mm) ? QStringLiteral("straight")
+                                                         : shortNumber(mm, 3) + " mm";
 }
 
 QString angleText(double rad) {
@@ -59,7 +60,7 @@ SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design
   SweepLimits broken;
   broken.deviation = summary.deviationMax > design.process.tolerance;
   broken.between = result.between.deviationMax > design.process.tolerance;
-  broken.radius = summary.minRadius < design.blade.minRadius();
+  broken.radius = summary.minRadius > 0 && summary.minRadius < design.blade.minRadius();
   broken.angle = summary.angleMax > cuttingAngleLimit(design.blade);
   broken.speed = summary.speedRatioMin < kSpeedRatioLimit;
   broken.coverage = !result.coverage.findings.empty();

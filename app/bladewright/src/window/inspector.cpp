@@ -167,7 +167,8 @@ void Inspector::makeResult() {
       column, tr("Surface covered"), tr("Part of the surface in the block that has cut surface over it"),
       [](const CutResult& result) { return percentText(result.coverage.share()); }, &SweepLimits::coverage);
   addOfResult(column, tr("Farthest beyond the cut"),
-              tr("How far the surface in the block reaches beyond the border of the cut surface"),
+              tr("How far the surface in the block reaches beyond the border of the cut surface, or lies off "
+                 "it where a part is not cut"),
               [](const CutResult& result) { return lengthText(result.coverage.distance); });
   column->addHeading(tr("Blade"));
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,

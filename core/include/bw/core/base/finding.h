@@ -191,14 +191,14 @@ struct TooFar {
   double own = 0;                   ///< largest distance of the stations themselves
   int leftFirst = 0, leftLast = 0;  ///< of the gap
 };
-/// A part of the target has no cut surface over it.
+/// A part of the target is not cut.
 struct Uncovered {
   static constexpr FindingKind kind = FindingKind::coverage;
-  /// Where it reaches farthest: before the first station that cuts, after the last one, or beyond an end of
-  /// the blade's cut.
-  enum class Where { before, after, beside };
+  /// Where it reaches farthest: before the first station that cuts, after the last one, beyond an end of the
+  /// blade's cut, or off the surface that is cut over or under it.
+  enum class Where { before, after, beside, off };
   double area = 0, share = 0;  ///< mm², and of all of the target in the block
-  double distance = 0;         ///< beyond the cut surface, at most
+  double distance = 0;         ///< beyond the cut surface, or off it, at most
   Where where = Where::beside;
 };
 /// The blade crosses itself, or its grips stand on each other's sides.

@@ -45,6 +45,9 @@ struct BladePose {
   std::vector<Eigen::Vector3d> bladePoints(int count) const;
   /// The largest |κ|, 1/mm.
   double maxCurvature() const { return heavy ? heavy->maxCurvature() : blade.maxCurvature(); }
+  /// The smallest radius, mm; 0 of a straight blade, whose bends (|κ| times its length at most 1e-4) nobody
+  /// sees.
+  double minRadius() const;
   /// True if the blade crosses itself.
   bool crossesItself() const { return heavy ? heavy->selfIntersects() : blade.selfIntersects(); }
   /// True if the grips lie the other way round than the ends of the part that cuts.

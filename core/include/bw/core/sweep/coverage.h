@@ -10,11 +10,11 @@
 
 namespace bw {
 
-/// How much of a target, as far as it lies in the block, has cut surface over it.
+/// How much of a target, as far as it lies in the block, is cut.
 struct Coverage {
   double area = 0;       ///< mm², of the target in the block
-  double uncovered = 0;  ///< mm² of it, farther beyond the border of the cut surface than `limit`
-  double distance = 0;   ///< mm, the farthest that it reaches beyond that border
+  double uncovered = 0;  ///< mm² of it, farther from the cut surface, or beyond its border, than `limit`
+  double distance = 0;   ///< mm, the farthest that it reaches beyond that border, or lies off what is cut
   double limit = 0;      ///< mm, how far it may
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< where
   Findings findings = {};
@@ -23,11 +23,12 @@ struct Coverage {
 };
 
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
-/// the last station, or beyond the ends of the blade's cut in its own plane, is not covered
-/// (docs/mathematics.md, coverage). Beyond `limit` an error tells it: the tolerance (mm), but half a mm at
-/// least, since the outer stations keep a little off the border and the leads cut on. `cut`: rows along the
-/// blade, each in a plane of the sweep's family, in the order of travel.
+/// the last station, or beyond the ends of the blade's cut in its own plane, is not covered, nor is what no
+/// cut surface comes near to (docs/mathematics.md, coverage). Beyond `limit` an error tells it: the tolerance
+/// (mm), but half a mm at least, since the outer stations keep a little off the border and the leads cut on.
+/// `cut`: rows along the blade, each in a plane of the sweep's family, in the order of travel, which is to
+/// stand back from the target by `back` mm.
 [[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
-                                  double tolerance);
+                                  double tolerance, double back = 0);
 
 }  // namespace bw

@@ -81,7 +81,7 @@ struct SweepSummary {
   double deviationMax = 0, deviationMean = 0, deviationRms = 0,
          withinTolerance = 1;  ///< |deviation|; fraction 0…1
   double angleMax = 0, angleMean = 0, angleStationMeanMax = 0, speedRatioMin = 1;
-  double minRadius = 0;  ///< mm, over the cut segments and their extensions
+  double minRadius = 0;  ///< mm, over the cut segments and their extensions; 0 where all are straight
 };
 
 /// The cut surface with its fields, and what was found.
