@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -157,12 +158,19 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   if (!program) return session.complain(program.error());
   const std::optional<double> length =
       std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
+  // What draws the pictures gets ready meanwhile, unless all is to be done on one thread.
+  std::future<scene::Scene> ready;
+  if (!options.out.empty() && session.threads != 1)
+    ready = std::async(std::launch::async, pipeline::readyScene);
   const Result<pipeline::ProgramRun> run =
       pipeline::runProgram(*program, design ? &*design : nullptr, session.context(), length);
   if (!run) return session.complain(run.error());
-  FileSet files = pipeline::simulationFiles(*run);
   if (!options.out.empty()) {
-    const auto pictures = pipeline::simulationPictures(*run, session.context());
+    std::future<FileSet> made = std::async(session.threads == 1 ? std::launch::deferred : std::launch::async,
+                                           [&run] { return pipeline::simulationFiles(*run); });
+    const auto pictures =
+        pipeline::simulationPictures(*run, session.context(), ready.valid() ? ready.get() : scene::Scene());
+    FileSet files = made.get();
     if (session.stop.stop_requested()) return session.complain(stoppedError().value());
     if (!pictures) {
       // What the program does is known all the same.

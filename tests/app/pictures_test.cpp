@@ -80,6 +80,16 @@ TEST(SimulationPictures, AreTwoWithASurfaceAndOneWithout) {
   EXPECT_EQ((*two)[0].name, "cut");
   EXPECT_EQ((*two)[1].name, "cut-from-shown");
   EXPECT_NE((*two)[0].png, (*two)[1].png);
+  // What was drawn before leaves no trace, nor does the number of threads.
+  const auto ready = simulationPictures(run, {}, readyScene());
+  RunContext alone;
+  alone.threads = 1;
+  const auto byOne = simulationPictures(run, alone);
+  ASSERT_TRUE(ready && byOne);
+  for (const std::size_t k : {0, 1}) {
+    EXPECT_EQ((*ready)[k].png, (*two)[k].png) << k;
+    EXPECT_EQ((*byOne)[k].png, (*two)[k].png) << k;
+  }
   // Where it is farthest off is seen.
   run.surface->toTargetAt.place.y() = 200;
   const auto elsewhere = simulationPictures(run, {});

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bw/core/parts/crease.h"
@@ -221,35 +222,47 @@ std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation) {
       Severity::error};
 }
 
-Result<ReportPicture> pictureFrom(scene::Scene& scene, scene::View view, bool parallel, const char* name,
-                                  const char* title) {
+Result<void> PictureList::add(scene::View view, bool parallel, const char* name, const char* title) {
+  if (context_.stopped()) return stoppedError();
   constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
-  scene.setCamera(scene.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight));
-  const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+  scene_.setCamera(scene_.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight));
+  Result<scene::Picture> picture = scene_.render(kWidth, kHeight);
   if (!picture) return tl::unexpected<Error>(picture.error());
-  Result<std::string> png = scene::pngBytes(*picture);
-  if (!png) return tl::unexpected<Error>(png.error());
-  return ReportPicture{name, title, std::move(*png), kWidth, kHeight};
+  const std::launch when = context_.threads == 1 ? std::launch::deferred : std::launch::async;
+  drawn_.push_back(
+      {name, title, std::async(when, [picture = std::move(*picture)] { return scene::pngBytes(picture); })});
+  return {};
+}
+
+Result<std::vector<ReportPicture>> PictureList::take() {
+  std::vector<ReportPicture> pictures;
+  for (Drawn& drawn : drawn_) {
+    if (context_.stopped()) return stoppedError();
+    Result<std::string> png = drawn.png.get();
+    if (!png) return tl::unexpected<Error>(png.error());
+    pictures.push_back({drawn.name, drawn.title, std::move(*png), kReportPictureWidth, kReportPictureHeight});
+  }
+  drawn_.clear();
+  return pictures;
 }
 
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context) {
   scene::Scene scene;
   scene.setContent(sceneContent(evaluation));
-  std::vector<ReportPicture> pictures;
+  PictureList pictures(scene, context);
   for (const PictureOfReport& wanted : kReportPictures) {
-    if (context.stopped()) return stoppedError();
     if (!isOf(wanted, evaluation)) continue;
     scene::Style style;
     style[scene::Kind::cut].map = wanted.field;
     style.tolerance = evaluation.design.process.tolerance;
     style.marker = uncoveredMark(evaluation);
     scene.setStyle(style);
-    Result<ReportPicture> picture = pictureFrom(scene, wanted.above ? scene::View::top : scene::View::iso,
-                                                wanted.above, wanted.name, wanted.title);
-    if (!picture) return tl::unexpected<Error>(picture.error());
-    pictures.push_back(std::move(*picture));
+    if (Result<void> ok = pictures.add(wanted.above ? scene::View::top : scene::View::iso, wanted.above,
+                                       wanted.name, wanted.title);
+        !ok)
+      return tl::unexpected<Error>(ok.error());
   }
-  return pictures;
+  return pictures.take();
 }
 
 }  // namespace bw::pipeline

@@ -3,6 +3,7 @@
 //
 // What a program cuts, in pictures.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -47,11 +48,13 @@ std::optional<scene::Marker> markOf(const ProgramRun& run, const PictureOfRun& p
                        most > limit ? Severity::warning : Severity::info};
 }
 
-}  // namespace
+/// True if it comes over a surface that it is compared with.
+bool isOver(const ProgramRun& run) {
+  return run.surface && run.surface->covered > 0 && run.compared.cut.rows > 1;
+}
 
-Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context) {
-  const bool over = run.surface && run.surface->covered > 0 && run.compared.cut.rows > 1;
-  scene::Scene scene;
+scene::Content contentOf(const ProgramRun& run) {
+  const bool over = isOver(run);
   scene::Content content;
   if (over && run.compared.target) content.add({0, 0}, *run.compared.target);
   if (!run.motion.block.size.isZero()) content.add({0}, run.motion.block);
@@ -59,20 +62,67 @@ Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, con
     content.add({0, 0, 0}, scene::CutSurface{standing(run, over ? run.compared.cut : run.simulation.swept()),
                                              {},
                                              {{kFromShown.field, run.compared.motionTolerance}}});
-  scene.setContent(std::move(content));
-  std::vector<ReportPicture> pictures;
-  for (const PictureOfRun& wanted : over ? std::vector{kFromTarget, kFromShown} : std::vector{kAlone}) {
-    if (context.stopped()) return stoppedError();
-    scene::Style style;
-    style[scene::Kind::cut].map = wanted.field;
-    style.tolerance = run.compared.tolerance;
-    style.marker = markOf(run, wanted);
-    scene.setStyle(style);
-    Result<ReportPicture> picture = pictureFrom(scene, scene::View::iso, false, wanted.name, wanted.title);
-    if (!picture) return tl::unexpected<Error>(picture.error());
-    pictures.push_back(std::move(*picture));
+  return content;
+}
+
+scene::Style styleOf(const ProgramRun& run, const PictureOfRun& picture) {
+  scene::Style style;
+  style[scene::Kind::cut].map = picture.field;
+  style.tolerance = run.compared.tolerance;
+  style.marker = markOf(run, picture);
+  return style;
+}
+
+/// A run over a small surface, of which pictures show all that those of any run do.
+ProgramRun sampleRun() {
+  constexpr int kRows = 5;
+  constexpr double kApart = 20;  // mm
+  ProgramRun run;
+  run.motion.block.size = {kApart * (kRows - 1), kApart * (kRows - 1), kApart};
+  SurfaceGrid& cut = run.compared.cut;
+  cut.rows = cut.columns = kRows;
+  cut.fields = {{kFromTarget.field, "Deviation", "mm", {}}, {kFromShown.field, "Distance", "mm", {}}};
+  for (int r = 0; r < kRows; ++r)
+    for (int c = 0; c < kRows; ++c) {
+      cut.points.emplace_back(kApart * c, kApart * r, 0.2 * kApart * (1 + r % 2));
+      for (Field& field : cut.fields) field.values.push_back(0.1 * r);
+    }
+  run.compared.target = std::make_shared<const TriangleMesh>(cut.triangles());
+  run.compared.tolerance = run.compared.motionTolerance = 1;
+  run.surface.emplace();
+  run.surface->covered = 1;
+  run.surface->toTargetAt.place = cut.points.back();
+  return run;
+}
+
+}  // namespace
+
+scene::Scene readyScene() {
+  // As wide as a scene reckons that has drawn nothing: the room that a picture leaves for its legend hangs on
+  // the one before.
+  constexpr int kWidth = 900, kHeight = 300;
+  const ProgramRun run = sampleRun();
+  scene::Scene scene;
+  scene.setContent(contentOf(run));
+  scene.setStyle(styleOf(run, kFromTarget));
+  scene.setCamera(scene.fitFrom(scene::directionOf(scene::View::iso), false, double(kWidth) / kHeight));
+  // Where this fails so do the pictures, which say why.
+  [[maybe_unused]] const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+  return scene;
+}
+
+Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context,
+                                                      scene::Scene scene) {
+  if (context.stopped()) return stoppedError();
+  scene.setContent(contentOf(run));
+  PictureList pictures(scene, context);
+  for (const PictureOfRun& wanted :
+       isOver(run) ? std::vector{kFromTarget, kFromShown} : std::vector{kAlone}) {
+    scene.setStyle(styleOf(run, wanted));
+    if (Result<void> ok = pictures.add(scene::View::iso, false, wanted.name, wanted.title); !ok)
+      return tl::unexpected<Error>(ok.error());
   }
-  return pictures;
+  return pictures.take();
 }
 
 }  // namespace bw::pipeline

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -254,16 +255,19 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   run.simulation = std::move(*simulation);
   if (design) {
+    // Neither needs the other.
+    std::future<Result<std::vector<BarrierLook>>> looks =
+        std::async(context.threads == 1 ? std::launch::deferred : std::launch::async,
+                   [&] { return barriersAlong(run.simulation, blade.flexuralRigidity(), context); });
     const Result<SimulatedSurface> surface =
         cutBy(run.simulation, *cut, context, &run.melted, &run.compared.cut);
+    Result<std::vector<BarrierLook>> barriers = looks.get();
     if (!surface) return tl::unexpected<Error>(surface.error());
+    if (!barriers) return tl::unexpected<Error>(barriers.error());
     run.surface = *surface;
     run.compared.target = cut->targetMesh.value;
     run.compared.tolerance = design->process.tolerance;
     run.compared.motionTolerance = design->process.motionTolerance;
-    Result<std::vector<BarrierLook>> barriers =
-        barriersAlong(run.simulation, blade.flexuralRigidity(), context);
-    if (!barriers) return tl::unexpected<Error>(barriers.error());
     run.barriers = std::move(*barriers);
     run.exceeded = judge(*design, run.simulation, *surface);
     judgeBarriers(run.barriers, run.exceeded);

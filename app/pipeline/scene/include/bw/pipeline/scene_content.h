@@ -24,8 +24,13 @@ Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, 
 /// What a program cuts that was run, drawn without a window: "cut", by its deviation from the target, and
 /// "cut-from-shown", by its distance from the surface shown, with the largest of either at its place. A run
 /// that comes over no surface has one picture, of all that the blade sweeps. Errors: those of
-/// `scene::Scene::render`; `cancelled`.
-Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context);
+/// `scene::Scene::render`; `cancelled`. `scene` draws them: one made by `readyScene` does so sooner, and the
+/// same.
+Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context,
+                                                      scene::Scene scene = {});
+/// A scene whose driver is started and whose shaders are made, which takes some 0.2 s on one thread and hangs
+/// on no run: to be made beside one.
+scene::Scene readyScene();
 /// What a picture of a sketch shows.
 scene::Content sceneContent(const Sketch& sketch);
 /// What of that is another than in the picture of the sketch before, for `scene::Scene::replace`; empty where
