@@ -47,7 +47,7 @@ class Search {
       // Denser towards the ends, where the pendulum starts or ends at the top.
       const double u = double(i) / (kAngles - 1);
       const double v = std::clamp(u - std::sin(2 * kPi * u) / (2 * kPi) * 0.8, 1e-6, 1 - 1e-6);
-      return sheets_.swingingNode(-kPi + v * width, t);
+      return sheets_.swingingNode(-kPi + v * width, t, kSomeDigits);
     });
     const int most = maxInflections + (hinged() ? 1 : 0);
     for (int n = 1; n <= most; ++n)
@@ -58,8 +58,9 @@ class Search {
     if (hinged() || !(problem_.turning > 1e-12)) return;
     constexpr int kAngles = 65;
     std::vector<double> ts = levels(0.02, 0.2, 3.0, 90.0);
-    grid(kAngles, ts,
-         [&](int i, double t) { return sheets_.oneWayNode(-kPi + 2 * kPi * i / (kAngles - 1), t); });
+    grid(kAngles, ts, [&](int i, double t) {
+      return sheets_.oneWayNode(-kPi + 2 * kPi * i / (kAngles - 1), t, kSomeDigits);
+    });
     cells({0, 1}, true);
   }
 

@@ -10,14 +10,13 @@
 
 namespace bw::elastica {
 
-Carlson carlson(double x, double y, double z) {
-  constexpr double kSpread = 1.5e-3;  // series to fifth order: errors of about kSpread^6
+Carlson carlson(double x, double y, double z, double spread) {
   constexpr int kMaxSteps = 60;
   double sum = 0, share = 1;
   for (int i = 0; i < kMaxSteps; ++i) {
     const double mean = (x + y + z) / 3;
-    const double spread = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)});
-    if (spread <= kSpread * mean) break;
+    const double apart = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)});
+    if (apart <= spread * mean) break;
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
     const double shift = rx * ry + ry * rz + rz * rx;
     sum += share / (rz * (z + shift));
@@ -44,7 +43,7 @@ Carlson carlson(double x, double y, double z) {
   return result;
 }
 
-SheetNode Sheets::swingingNode(double a, double t) const {
+SheetNode Sheets::swingingNode(double a, double t, double spread) const {
   const double b = a + turning_;
   const double sa = std::sin(0.5 * a), sb = std::sin(0.5 * b);
   const double ca = std::cos(0.5 * a), cb = std::cos(0.5 * b);
@@ -55,20 +54,20 @@ SheetNode Sheets::swingingNode(double a, double t) const {
   k.excess = -left * sech * sech;
   k.square = 1 + k.excess;
   SheetNode node{.a = a, .t = t, .modulus = k};
-  node.start = quarter(k, 0.5 * a);
-  node.whole = swing(k);
+  node.start = quarter(k, 0.5 * a, spread);
+  node.whole = swing(k, spread);
   const double tanh = std::tanh(t);
   const double gap = left * tanh * tanh;  // k² − k_min²
   node.startRate =
       2 * std::sqrt(std::max(gap + (std::abs(sa) >= std::abs(sb) ? 0.0 : sb * sb - sa * sa), 0.0));
   node.hinged = hinged_;
   if (hinged_) return node;
-  node.end = quarter(k, 0.5 * b);
+  node.end = quarter(k, 0.5 * b, spread);
   node.endRate = 2 * std::sqrt(std::max(gap + (std::abs(sb) >= std::abs(sa) ? 0.0 : sa * sa - sb * sb), 0.0));
   return node;
 }
 
-SheetNode Sheets::oneWayNode(double a, double t) const {
+SheetNode Sheets::oneWayNode(double a, double t, double spread) const {
   const double b = a + turning_;
   const double ha = 0.5 * a, hb = 0.5 * b;
   const double ca = std::cos(ha), cb = std::cos(hb);
@@ -80,8 +79,8 @@ SheetNode Sheets::oneWayNode(double a, double t) const {
   k.excess = gap - left;
   k.square = 1 + k.excess;
   SheetNode node{.a = a, .t = t, .modulus = k};
-  node.start = upTo(k, ha);
-  node.end = upTo(k, hb);
+  node.start = upTo(k, ha, spread);
+  node.end = upTo(k, hb, spread);
   node.startRate = 2 * std::sqrt(gap + (ca * ca - left));
   node.endRate = 2 * std::sqrt(gap + (cb * cb - left));
   return node;

@@ -14,7 +14,10 @@ namespace bw::elastica {
 struct Carlson {
   double f, d;
 };
-Carlson carlson(double x, double y, double z);
+/// `spread`: how far apart the arguments may still be where the series takes over, of their mean; off by
+/// about the sixth power of that.
+inline constexpr double kAllDigits = 1.5e-3, kSomeDigits = 0.05;
+Carlson carlson(double x, double y, double z, double spread = kAllDigits);
 
 /// Along a pendulum, with h half its angle against the force: ∫ dh / √(k² − sin² h) and ∫ sin² h dh / √(k² −
 /// sin² h).
@@ -31,31 +34,31 @@ struct Modulus {
 };
 
 /// The integrals from 0 to h in [−π/2, π/2], |sin h| ≤ k.
-inline PendulumIntegrals quarter(const Modulus& k, double h) {
+inline PendulumIntegrals quarter(const Modulus& k, double h, double spread = kAllDigits) {
   const double s = std::sin(h), c = std::cos(h);
   const double below = std::max(k.excess + c * c, 0.0);
-  const Carlson r = carlson(k.square * c * c, below, k.square);
+  const Carlson r = carlson(k.square * c * c, below, k.square, spread);
   return {s * r.f, k.square * s * s * s * r.d / 3};
 }
 
 /// The integrals up to the turning point of a swing (k < 1).
-inline PendulumIntegrals swing(const Modulus& k) {
+inline PendulumIntegrals swing(const Modulus& k, double spread = kAllDigits) {
   const double root = std::sqrt(k.square);
-  const Carlson r = carlson(-k.square * k.excess, 0, k.square);
+  const Carlson r = carlson(-k.square * k.excess, 0, k.square, spread);
   return {root * r.f, k.square * k.square * root * r.d / 3};
 }
 
 /// The integrals from 0 to π/2 for a pendulum that goes over (k > 1).
-inline PendulumIntegrals overTop(const Modulus& k) {
-  const Carlson r = carlson(0, k.excess, k.square);
+inline PendulumIntegrals overTop(const Modulus& k, double spread = kAllDigits) {
+  const Carlson r = carlson(0, k.excess, k.square, spread);
   return {r.f, k.square * r.d / 3};
 }
 
 /// The integrals from 0 to any h for a pendulum that goes over (k > 1), or within its swing.
-inline PendulumIntegrals upTo(const Modulus& k, double h) {
+inline PendulumIntegrals upTo(const Modulus& k, double h, double spread = kAllDigits) {
   const double turns = std::round(h / kPi);
-  PendulumIntegrals result = quarter(k, h - turns * kPi);
-  if (turns != 0) result = result + overTop(k) * (2 * turns);
+  PendulumIntegrals result = quarter(k, h - turns * kPi, spread);
+  if (turns != 0) result = result + overTop(k, spread) * (2 * turns);
   return result;
 }
 
@@ -94,10 +97,10 @@ class Sheets {
   double turning() const { return turning_; }
 
   /// What the swinging sheets share at force angle a, rad, and level t ≥ 0, which is 0 at the sheets' edges.
-  SheetNode swingingNode(double a, double t) const;
+  SheetNode swingingNode(double a, double t, double spread = kAllDigits) const;
 
   /// The same for the sheet that turns one way only, t > 0.
-  SheetNode oneWayNode(double a, double t) const;
+  SheetNode oneWayNode(double a, double t, double spread = kAllDigits) const;
 
   /// Where a shape ends.
   static SheetImage image(const SheetNode& node, const Sheet& sheet) {

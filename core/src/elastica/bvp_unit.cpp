@@ -14,13 +14,16 @@ namespace {
 constexpr double kMet = 1e-13;
 /// What rounding leaves of the miss where the end hangs on the shape's last digits.
 constexpr double kSettled = 1e-9;
+/// Misses above this, in lengths and rad, are told well enough by series of seven digits, as long as what is
+/// off at the start does not grow by more than exp(kGentle) towards the end.
+constexpr double kFarOff = 1e-4, kGentle = 8;
 
 double sizeOf(const UnitShape& q) { return std::abs(q(0)) + std::sqrt(std::hypot(q(1), q(2))); }
 
 /// The state of a shape at arc length s, with the unit of its lengths.
-template <int Directions>
+template <int Directions, std::size_t Order = 22>
 auto flowTo(const UnitShape& q, double s) {
-  auto [flow, unit] = flowOf<Directions>(q);
+  auto [flow, unit] = flowOf<Directions, Order>(q);
   flow.advanceTo(s / unit);
   return std::pair(flow.at(s / unit), unit);
 }
@@ -78,16 +81,20 @@ bool closedJacobian(const UnitShape& q, const UnitShot& shot, Eigen::Matrix3d& j
   return true;
 }
 
-}  // namespace
-
-UnitShot shoot(const UnitShape& q) {
-  const auto [block, unit] = flowTo<0>(q, 1);
+/// Where a shape ends, by series of that order.
+template <std::size_t Order>
+UnitShot shootBy(const UnitShape& q) {
+  const auto [block, unit] = flowTo<0, Order>(q, 1);
   UnitShot shot;
   shot.end = {block(0, 0) * unit, block(1, 0) * unit, block(2, 0)};
   shot.curvature = block(3, 0) / unit;
   if (!closedJacobian(q, shot, shot.jacobian)) shot.jacobian = shootTo(q, 1).jacobian;
   return shot;
 }
+
+}  // namespace
+
+UnitShot shoot(const UnitShape& q) { return shootBy<22>(q); }
 
 double phaseOf(const UnitShape& q) {
   const double f = std::hypot(q(1), q(2));
@@ -119,14 +126,24 @@ std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, 
   const Eigen::Vector3d target = heldBy(problem);
   std::optional<UnitSolution> best;
   double last = INFINITY;
+  bool far = phaseOf(shape) < kGentle;
   // Once it has settled, some more rounds leave the rounding.
   for (int i = 0; i <= iterations + (best ? 2 : 0); ++i) {
     const double size = sizeOf(shape);
     if (!(size < kLargestShot)) return std::nullopt;
-    const UnitShot shot = shoot(shape);
-    const Held held = heldAt(shape, shot.end, shot.jacobian, problem.ends);
-    const Eigen::Vector3d miss = target - held.value;
-    const double error = miss.cwiseAbs().maxCoeff();
+    UnitShot shot;
+    Held held;
+    Eigen::Vector3d miss;
+    double error = INFINITY;
+    const auto aim = [&](const UnitShot& at) {
+      shot = at;
+      held = heldAt(shape, shot.end, shot.jacobian, problem.ends);
+      miss = target - held.value;
+      error = miss.cwiseAbs().maxCoeff();
+    };
+    if (far) aim(shootBy<12>(shape));
+    far = far && error > kFarOff;
+    if (!far) aim(shoot(shape));
     if (!(error < 1e3)) return std::nullopt;
     if (error < kSettled && (!best || error < best->error))
       best = UnitSolution{

@@ -30,12 +30,12 @@ using UnitShape = Eigen::Vector3d;
 inline UnitShape mirrored(const UnitShape& q) { return {-q(0), q(1), -q(2)}; }
 
 /// The flow of a shape, and the unit of its lengths: a power of two that fits it.
-template <int Directions>
-std::pair<ElasticaFlow<Directions>, double> flowOf(const UnitShape& q) {
+template <int Directions, std::size_t Order = 22>
+std::pair<ElasticaFlow<Directions, Order>, double> flowOf(const UnitShape& q) {
   const double rate = std::max({std::abs(q(0)), std::sqrt(std::hypot(q(1), q(2))), 1.0});
   const double unit = std::ldexp(1.0, -std::ilogb(rate) - 1);
   const FlowParameters p{q(0) * unit, q(1) * unit * unit, q(2) * unit * unit};
-  return {ElasticaFlow<Directions>(p, invariants(p.curvature, p.tangential, p.normal), 1), unit};
+  return {ElasticaFlow<Directions, Order>(p, invariants(p.curvature, p.tangential, p.normal), 1), unit};
 }
 
 /// Twice the largest |κ| of the whole curve's halves and √f: what decides how many modes resolve it.
