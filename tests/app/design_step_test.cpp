@@ -193,7 +193,7 @@ TEST_F(DesignStep, KeyBladesAreTypedAddedAndTakenAway) {
   // One more changes nothing of the surface but that it can be changed there.
   const auto height = [&] { return bench().newestTarget()->bounds().max.z(); };
   const double high = height();
-  auto* add = find<QPushButton>("Add a key blade after 2");
+  auto* add = find<QPushButton>("Add a key blade after key blade 2");
   ASSERT_TRUE(add);
   add->click();
   ASSERT_TRUE(settle());
@@ -203,7 +203,7 @@ TEST_F(DesignStep, KeyBladesAreTypedAddedAndTakenAway) {
   find<QPushButton>("Remove key blade 5")->click();
   ASSERT_TRUE(settle());
   EXPECT_EQ(shape<BladesSurface>().blades.size(), 4u);
-  EXPECT_FALSE(find<QPushButton>("Add a key blade after 4")->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("Add a key blade after key blade 4")->isEnabled());
   bench().document().undoStack().setIndex(0);
   EXPECT_EQ(bench().design(), before);
 }

@@ -243,7 +243,7 @@ TEST_F(HandleEdits, ThePanelAddsAndRemovesThem) {
     QTest::mouseClick(button, Qt::LeftButton);
     QTest::qWait(20);  // the lines that were are on their way
   };
-  ASSERT_NO_FATAL_FAILURE(press(find<QPushButton>("Add a section after 1")));
+  ASSERT_NO_FATAL_FAILURE(press(find<QPushButton>("Add a section after section 1")));
   ASSERT_EQ(sections().size(), 4u);
   EXPECT_TRUE(find<QPushButton>("Remove section 4"));
   ASSERT_NO_FATAL_FAILURE(press(find<QPushButton>("Add a point to section 2")));

@@ -68,6 +68,7 @@ class ObjectTreeTest : public WindowTest {
     const QPointer<QLineEdit> editor = tree().viewport()->findChild<QLineEdit*>();
     ASSERT_TRUE(editor);
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(editor, Qt::Key_Delete);
     QTest::keyClicks(editor, text);
     QTest::keyClick(editor, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !editor || !editor->isVisible(); }, kPatience));
@@ -409,9 +410,6 @@ TEST_F(ObjectTreeTest, RowsOfPolesAndKeyBladesAreCurvesToo) {
   EXPECT_EQ(line(Kind::curve, "surface/2")->text(0), "Row 2, y = 160 mm");
   ASSERT_NO_FATAL_FAILURE(click(line(Kind::curve, "surface/2"), ObjectTree::name));
   EXPECT_EQ(window().surfaceHandles().chosen(), (std::vector<int>{4, 5, 6, 7}));
-  // They have their names from their place: F2 opens nothing, and a double click neither.
-  QTest::keyClick(&tree(), Qt::Key_F2);
-  EXPECT_FALSE(tree().viewport()->findChild<QLineEdit*>());
   picture("row-chosen");
   ASSERT_NO_FATAL_FAILURE(open("key-blade-fan"));
   line(Kind::surface, "surface")->setExpanded(true);
@@ -432,6 +430,87 @@ TEST_F(ObjectTreeTest, RowsOfPolesAndKeyBladesAreCurvesToo) {
   ASSERT_NO_FATAL_FAILURE(open("ripple-along"));
   EXPECT_EQ(line(Kind::surface, "surface")->childIndicatorPolicy(),
             QTreeWidgetItem::DontShowIndicatorWhenChildless);
+}
+
+TEST_F(ObjectTreeTest, ACurveIsGivenANameThatStandsWhereverItIsTold) {
+  ASSERT_NO_FATAL_FAILURE(open("twist"));
+  const Design before = bench().design();
+  const auto curve = [this](int place) { return line(Kind::curve, "surface/" + std::to_string(place)); };
+  const auto editor = [this] { return tree().viewport()->findChild<QLineEdit*>(); };
+  line(Kind::surface, "surface")->setExpanded(true);
+  // F2 begins with nothing: it is called after its place so far.
+  ASSERT_NO_FATAL_FAILURE(click(curve(2), ObjectTree::name));
+  QTest::keyClick(&tree(), Qt::Key_F2);
+  ASSERT_TRUE(editor());
+  EXPECT_EQ(editor()->text(), "");
+  EXPECT_EQ(editor()->placeholderText(), "section 2");
+  QTest::keyClick(editor(), Qt::Key_Escape);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !editor(); }, kPatience));
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_NO_FATAL_FAILURE(name(curve(2), "North & Ridge"));
+  EXPECT_EQ(bench().source().curveNames, (std::map<int, std::string>{{1, "North & Ridge"}}));
+  EXPECT_EQ(curve(2)->text(0), "North & Ridge (section 2), y = 400 mm");
+  EXPECT_EQ(curve(1)->text(0), "Section 1, y = 0 mm");
+  EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo rename section 2 of surface");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << "nothing is computed for it";
+  // Where its numbers are, at its handles, and in what is done with it.
+  ASSERT_NO_FATAL_FAILURE(click(curve(2), ObjectTree::name));
+  const auto says = [this](const QString& text) {
+    return std::ranges::any_of(window().inspector().findChildren<QLabel*>(), [&](const QLabel* label) {
+      return label->isVisible() && label->text() == text;
+    });
+  };
+  EXPECT_TRUE(says("North & Ridge (section 2), poles x, z") ||
+              says("North & Ridge (section 2), points x, z"));
+  const int handle = handlesOf(*bench().source().surface, 1).front();
+  hover(handle);
+  EXPECT_NE(window().sceneView().sceneStyle().handles.text.find("Point 1 of North & Ridge (section 2)"),
+            std::string::npos)
+      << window().sceneView().sceneStyle().handles.text;
+  picture("curve-renamed");
+  ASSERT_TRUE(removePoint(bench(), 1, 1) || addPoint(bench(), 1, 0));
+  EXPECT_TRUE(window().commands()["edit.undo"]->text().endsWith("of North && Ridge (section 2)") ||
+              window().commands()["edit.undo"]->text().endsWith("to North && Ridge (section 2)"))
+      << window().commands()["edit.undo"]->text().toStdString();
+  bench().document().undoStack().undo();
+  bench().setLocked({Kind::curve, "surface/2"}, true);
+  removeSection(bench(), 1);
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: North & Ridge (section 2) of surface stays"))
+      << window().banner().text().toStdString();
+  bench().setLocked({Kind::curve, "surface/2"}, false);
+  // It goes with its curve, and undo brings it back where it was.
+  ASSERT_TRUE(addSection(bench(), 0));
+  EXPECT_EQ(bench().source().curveNames, (std::map<int, std::string>{{2, "North & Ridge"}}));
+  EXPECT_EQ(curve(3)->text(0), "North & Ridge (section 3), y = 400 mm");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(curve(2)->text(0), "North & Ridge (section 2), y = 400 mm");
+  // The file keeps it.
+  const fs::path file = path("named-curve.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  ASSERT_TRUE(window().openFile(QString::fromStdString(file.string())));
+  ASSERT_TRUE(settle());
+  line(Kind::surface, "surface")->setExpanded(true);
+  EXPECT_EQ(curve(2)->text(0), "North & Ridge (section 2), y = 400 mm");
+  // A double click edits the name alone; one that is taken is refused and told.
+  tree().scrollToItem(curve(1));
+  const QPoint at = tree().visualItemRect(curve(1)).center();
+  QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, at);
+  QTest::mouseDClick(tree().viewport(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(editor());
+  QTest::keyClicks(editor(), "North & Ridge");
+  QTest::keyClick(editor(), Qt::Key_Return);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window().banner().text().contains("choose another name"); }, kPatience));
+  EXPECT_EQ(bench().source().curveNames.size(), 1u);
+  EXPECT_EQ(curve(1)->text(0), "Section 1, y = 0 mm");
+  // Without one it is called after its place again.
+  ASSERT_NO_FATAL_FAILURE(name(curve(2), ""));
+  EXPECT_TRUE(bench().source().curveNames.empty());
+  EXPECT_EQ(curve(2)->text(0), "Section 2, y = 400 mm");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(curve(2)->text(0), "North & Ridge (section 2), y = 400 mm");
 }
 
 TEST_F(ObjectTreeTest, ACurveThatIsHiddenHasNoHandles) {
@@ -526,8 +605,8 @@ TEST_F(ObjectTreeTest, ALockedSectionIsNotTakenAwayAndKeepsItsLockWhereOthersCom
   removeSection(bench(), 1);
   EXPECT_EQ(bench().design(), before);
   EXPECT_TRUE(window().banner().text().startsWith("Locked: section 2 of surface stays"));
-  EXPECT_TRUE(bench().rename({Kind::curve, "surface/2"}, "ridge").error().message.find("from their place") !=
-              std::string::npos);
+  EXPECT_TRUE(bench().rename({Kind::curve, "surface/2"}, "ridge"));
+  EXPECT_EQ(bench().design(), before) << "its name stays too";
   ASSERT_TRUE(addSection(bench(), 0));
   ASSERT_EQ(curveCount(*bench().source().surface), 4);
   EXPECT_TRUE(bench().locked({Kind::curve, "surface/3"}));

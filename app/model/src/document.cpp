@@ -97,6 +97,7 @@ QString Document::title() const {
 }
 
 void Document::edit(Design after, const QString& text, int mergeId) {
+  followNames(*design_, after);
   if (*design_ == after) return;
   undo_.push(new EditDesign(*this, std::move(after), text, mergeId));
 }

@@ -201,6 +201,7 @@ std::string runId(const Evaluation& e, const Cell* cell) {
     source.path.clear();
     source.bytes.clear();
     source.saved.reset();
+    source.curveNames.clear();
   }
   Values f;
   f.text(BW_VERSION).text(designToJson(inputs)).text(fingerprintText(e.source.value->content));

@@ -305,6 +305,7 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object, const det
                                            " of a CAD file; keep one of them");
              readFileKeys(inner, source, files);
              detail::readSourceKeys(inner, source);
+             detail::readCurveNames(inner, source);
            });
   for (std::size_t i = 1; i < design.sources.size(); ++i)
     if (!design.sources[i].surface)
@@ -528,7 +529,9 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   for (const Source& source : design.sources) {
     if (source.surface) {
       const std::string part = "/sources/" + std::to_string(sources.size()) + "/surface";
-      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface, boundIn(part))}});
+      json designed = {{"id", source.id}, {"surface", surfaceJson(*source.surface, boundIn(part))}};
+      detail::writeCurveNames(source, designed);
+      sources.push_back(std::move(designed));
       continue;
     }
     json part = {{"id", source.id}, {"path", source.path.generic_string()}};

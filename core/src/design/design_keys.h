@@ -47,6 +47,10 @@ using BoundBelow = std::function<const BoundNumber*(const std::string& place)>;
 /// What stands for an expression is written although its number may be the usual one.
 nlohmann::json surfaceJson(const DesignedSurface& surface, const BoundBelow& isBound);
 
+/// curve_names: of the curves of its surface, which is read before them.
+void readCurveNames(ObjectReader& reader, Source& source);
+void writeCurveNames(const Source& source, nlohmann::json& object);
+
 void readSourceKeys(ObjectReader& reader, Source& source);            ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);          ///< block
 void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid);  ///< grid

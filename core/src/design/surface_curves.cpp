@@ -7,6 +7,8 @@
 #include <charconv>
 #include <set>
 
+#include "bw/core/text/printable.h"
+
 namespace bw {
 
 namespace {
@@ -46,6 +48,13 @@ std::optional<int> placeAfter(const DesignedSurface& before, int curve, const De
   return {};
 }
 
+/// The place that a curve of `then` has in `now`; nothing if it is gone.
+std::optional<int> placeNow(const DesignedSurface& then, int curve, const DesignedSurface& now) {
+  // It may have been changed where it is.
+  if (then.shape.index() == now.shape.index() && curveCount(then) == curveCount(now)) return curve;
+  return placeAfter(then, curve, now);
+}
+
 std::set<std::string> followed(const std::set<std::string>& ids, const Design& before, const Design& after) {
   std::set<std::string> next;
   for (const std::string& id : ids) {
@@ -54,9 +63,7 @@ std::set<std::string> followed(const std::set<std::string>& ids, const Design& b
     const DesignedSurface* now = curve ? surfaceOf(after, curve->source) : nullptr;
     if (!then || before.find(id) || (!now && !after.find(curve->source))) {
       next.insert(id);
-    } else if (now && then->shape.index() == now->shape.index() && curveCount(*then) == curveCount(*now)) {
-      next.insert(id);  // it may have been changed where it is
-    } else if (const auto place = now ? placeAfter(*then, curve->curve, *now) : std::nullopt) {
+    } else if (const auto place = now ? placeNow(*then, curve->curve, *now) : std::nullopt) {
       next.insert(curveId(curve->source, *place));
     }
   }
@@ -74,6 +81,27 @@ int curveCount(const DesignedSurface& surface) {
 
 std::string curveId(const std::string& source, int curve) {
   return source + kBefore + std::to_string(curve + 1);
+}
+
+std::string curveWord(const DesignedSurface& surface, int curve) {
+  const char* what = std::holds_alternative<PolesSurface>(surface.shape)      ? "row "
+                     : std::holds_alternative<SectionsSurface>(surface.shape) ? "section "
+                                                                              : "key blade ";
+  return what + std::to_string(curve + 1);
+}
+
+std::string curveTitle(const Source& source, int curve) {
+  const std::string word = source.surface ? curveWord(*source.surface, curve) : std::string();
+  const auto named = source.curveNames.find(curve);
+  return named == source.curveNames.end() ? word : named->second + " (" + word + ")";
+}
+
+std::string whyNoCurveName(const std::string& name) {
+  constexpr std::size_t kLongest = 60;  // bytes
+  if (name.find_first_not_of(" \t") == std::string::npos) return "a name must not be empty";
+  if (name.size() > kLongest) return "a name has " + std::to_string(kLongest) + " characters at most";
+  if (printable(name) != name) return "a name is one line of text, without control characters";
+  return {};
 }
 
 std::optional<CurveOfSource> curveOf(const Design& design, const std::string& id) {
@@ -99,6 +127,19 @@ PartMarks followed(const PartMarks& marks, const Design& before, const Design& a
   next.hidden.sources = followed(marks.hidden.sources, before, after);
   next.locked.sources = followed(marks.locked.sources, before, after);
   return next;
+}
+
+void followNames(const Design& before, Design& after) {
+  for (Source& now : after.sources) {
+    const Source* then = before.find(now.id);
+    if (now.curveNames.empty() || !then || then->curveNames != now.curveNames || then->surface == now.surface)
+      continue;
+    now.curveNames.clear();
+    for (const auto& [curve, name] : then->curveNames)
+      if (const auto place =
+              then->surface && now.surface ? placeNow(*then->surface, curve, *now.surface) : std::nullopt)
+        now.curveNames[*place] = name;
+  }
 }
 
 }  // namespace bw

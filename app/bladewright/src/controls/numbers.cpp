@@ -50,6 +50,11 @@ QString pointText(const Eigen::Vector3d& p) {
   return QStringLiteral("%1, %2, %3").arg(text(p.x()), text(p.y()), text(p.z()));
 }
 
+QString withinSentence(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toLower();
+  return text;
+}
+
 QString sizeText(const Eigen::Vector3d& size) {
   return QStringLiteral("%1 × %2 × %3 mm")
       .arg(shortNumber(size.x(), 4), shortNumber(size.y(), 4), shortNumber(size.z(), 4));

@@ -22,6 +22,9 @@ QString percentText(double fraction);   ///< "98.4 %", never rounded up to 100 %
 QString pointText(const Eigen::Vector3d& p);
 QString sizeText(const Eigen::Vector3d& size);
 
+/// A text that begins with a capital as part of a sentence; names in it stay as they were given.
+QString withinSentence(QString text);
+
 /// Which numbers of a result break their limits.
 struct SweepLimits {
   bool deviation = false;  ///< beyond the tolerance

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bw/core/shape/blade_ends.h"
+#include "controls/numbers.h"
 
 namespace bw::app {
 
@@ -117,7 +118,7 @@ void HandleKeys::take(HandleNumber number, double to, const NumberField& field) 
   DesignedSurface moved = movedBy(now, handles_.chosen(),
                                   up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), handles_.symmetric());
   setNumber(moved, handle(), number, to);
-  bench_.editSurface(tr("Move %1").arg(handles_.nameOf(handle()).toLower()),
+  bench_.editSurface(tr("Move %1").arg(withinSentence(handles_.nameOf(handle()))),
                      [&](DesignedSurface& own) { own = moved; });
 }
 
@@ -129,7 +130,7 @@ void HandleKeys::openField(const QKeyEvent* typed) {
   const auto add = [&](HandleNumber number, const QString& label) {
     if (!numberOf(*surfaceOf(bench_), handle(), number)) return;
     HandleField::Line line{label,
-                           tr("%1 of %2").arg(label, handles_.nameOf(handle()).toLower()),
+                           tr("%1 of %2").arg(label, withinSentence(handles_.nameOf(handle()))),
                            {-kFarthest, kFarthest, 2, kFieldStep, "mm"}};
     line.value = [this, number]() -> std::optional<double> {
       const DesignedSurface* surface = surfaceOf(bench_);

@@ -4,8 +4,11 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -23,22 +26,44 @@ constexpr int kIcon = 16, kSignWidth = 28;
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 /// What the curves of a surface are called, in their order, with the place of each along the travel.
-QStringList namesOfCurves(const std::optional<DesignedSurface>& surface) {
+QStringList namesOfCurves(const Source& source) {
+  const std::optional<DesignedSurface>& surface = source.surface;
   QStringList names;
-  const auto add = [&names](const QString& name, double y) {
-    names << name.arg(names.size() + 1).arg(text(shortText(y, 4)));
+  const auto add = [&](const QString& placed, double y) {
+    const auto named = source.curveNames.find(int(names.size()));
+    const QString place = placed.arg(names.size() + 1);
+    names << ObjectTree::tr("%1, y = %2 mm")
+                 .arg(named == source.curveNames.end() ? place : text(curveTitle(source, named->first)),
+                      text(shortText(y, 4)));
   };
   if (!surface) return names;
   if (const auto* poles = std::get_if<PolesSurface>(&surface->shape))
-    for (int row = 0; row < poles->rows; ++row)
-      add(ObjectTree::tr("Row %1, y = %2 mm"), poles->place(row, 0).y());
+    for (int row = 0; row < poles->rows; ++row) add(ObjectTree::tr("Row %1"), poles->place(row, 0).y());
   if (const auto* loft = std::get_if<SectionsSurface>(&surface->shape))
-    for (const SectionCurve& section : loft->sections)
-      add(ObjectTree::tr("Section %1, y = %2 mm"), section.y);
+    for (const SectionCurve& section : loft->sections) add(ObjectTree::tr("Section %1"), section.y);
   if (const auto* sweep = std::get_if<BladesSurface>(&surface->shape))
-    for (const KeyBlade& blade : sweep->blades) add(ObjectTree::tr("Key blade %1, y = %2 mm"), blade.y);
+    for (const KeyBlade& blade : sweep->blades) add(ObjectTree::tr("Key blade %1"), blade.y);
   return names;
 }
+
+/// The editor of a line: of a curve its name alone; where it has none, what it is called instead.
+class NameEditor : public QStyledItemDelegate {
+ public:
+  using Name = std::function<std::optional<ObjectTree::CurveName>(const QModelIndex&)>;
+  NameEditor(Name name, QObject* parent) : QStyledItemDelegate(parent), name_(std::move(name)) {}
+
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    auto* line = qobject_cast<QLineEdit*>(editor);
+    const auto name = line ? name_(index) : std::nullopt;
+    if (!name) return QStyledItemDelegate::setEditorData(editor, index);
+    line->setPlaceholderText(name->place);
+    line->setText(name->own);
+    line->selectAll();
+  }
+
+ private:
+  Name name_;
+};
 
 /// The same whether or not its line is selected.
 QIcon iconOf(const char* name, const QColor& colour) {
@@ -70,6 +95,12 @@ ObjectTree::ObjectTree(Workbench& bench, const Theme& theme, QWidget* parent)
     header()->setSectionResizeMode(column, QHeaderView::Fixed);
     header()->resizeSection(column, kSignWidth);
   }
+  setItemDelegateForColumn(name, new NameEditor(
+                                     [this](const QModelIndex& index) {
+                                       const QTreeWidgetItem* item = itemFromIndex(index);
+                                       return item ? nameOfCurve(*item) : std::nullopt;
+                                     },
+                                     this));
   connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
     if (column == name)
       select(*item);
@@ -116,15 +147,14 @@ QTreeWidgetItem* ObjectTree::addLine(QTreeWidgetItem* parent, const QString& tex
   lines_.push_back(line);
   item->setText(name, text);
   if (icon) item->setIcon(name, iconOf(icon, theme_.colours().secondary));
-  const bool named =
-      line.object && line.object->kind != Object::Kind::stations && line.object->kind != Object::Kind::curve;
+  const bool named = line.object && line.object->kind != Object::Kind::stations;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (named ? Qt::ItemIsEditable : Qt::NoItemFlags));
   return item;
 }
 
 void ObjectTree::fillCurves(QTreeWidgetItem& surface) {
   const Line line = lineOf(surface);
-  const QStringList names = namesOfCurves(bench_.design().find(line.object->id)->surface);
+  const QStringList names = namesOfCurves(*bench_.design().find(line.object->id));
   if (surface.childCount() > 0) return;
   const bool busy = std::exchange(busy_, true);
   for (int i = 0; i < names.size(); ++i) {
@@ -141,8 +171,7 @@ void ObjectTree::rebuild() {
   std::string now;
   for (const StockBlock& block : design.stock) now += block.id + "\n";
   for (const Cut& cut : design.cuts) now += "\t" + cut.id + "\t" + cut.block + "\t" + cut.source + "\n";
-  for (const Source& source : design.sources)
-    now += namesOfCurves(source.surface).join(' ').toStdString() + "\n";
+  for (const Source& source : design.sources) now += namesOfCurves(source).join(' ').toStdString() + "\n";
   if (std::exchange(built_, now) == now) return;
   busy_ = true;
   std::map<std::pair<Object, std::string>, bool> open;  // of each object, of each cut
@@ -238,7 +267,8 @@ void ObjectTree::paint(QTreeWidgetItem& item) {
   sign(kept, locked ? "lock" : "lock-open", locked,
        locked ? tr("%1 is locked: nothing changes it").arg(what) : tr("%1 may be changed").arg(what));
   const bool named = (item.flags() & Qt::ItemIsEditable) &&
-                     (!bench_.design().grid || line.object->kind == Object::Kind::surface);
+                     (!bench_.design().grid || line.object->kind == Object::Kind::surface ||
+                      line.object->kind == Object::Kind::curve);
   item.setToolTip(name, named ? tr("%1 (F2 gives it another name)").arg(what) : what);
 }
 
@@ -307,6 +337,17 @@ void ObjectTree::toggle(const QTreeWidgetItem& item, int column) {
     bench_.setHidden(*object, !bench_.hidden(*object));
   else if (object->kind != Object::Kind::stations)
     bench_.setLocked(*object, !bench_.locked(*object));
+}
+
+std::optional<ObjectTree::CurveName> ObjectTree::nameOfCurve(const QTreeWidgetItem& item) const {
+  const Line& line = lineOf(item);
+  if (!line.object || line.object->kind != Object::Kind::curve) return {};
+  const std::optional<CurveOfSource> curve = curveOf(bench_.design(), line.object->id);
+  const Source* source = curve ? bench_.design().find(curve->source) : nullptr;
+  if (!source) return {};
+  const auto named = source->curveNames.find(curve->curve);
+  return CurveName{named == source->curveNames.end() ? QString() : text(named->second),
+                   text(curveWord(*source->surface, curve->curve))};
 }
 
 void ObjectTree::rename(const QTreeWidgetItem& item) {

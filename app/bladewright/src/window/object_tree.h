@@ -21,6 +21,10 @@ class ObjectTree : public QTreeWidget {
 
  public:
   enum Column { name, seen, kept };
+  /// What a curve was called, empty if nothing, and what it is called after its place.
+  struct CurveName {
+    QString own, place;
+  };
 
   ObjectTree(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
@@ -59,6 +63,8 @@ class ObjectTree : public QTreeWidget {
   void select(const QTreeWidgetItem& item);
   void toggle(const QTreeWidgetItem& item, int column);
   void rename(const QTreeWidgetItem& item);
+  /// Of the line of a curve; nothing for other lines.
+  std::optional<CurveName> nameOfCurve(const QTreeWidgetItem& item) const;
   /// Marks the line of what is selected.
   void markSelected();
 

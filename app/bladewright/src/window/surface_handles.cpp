@@ -227,19 +227,21 @@ double SurfaceHandles::heightOf(const DesignedSurface& surface, int handle) cons
 QString SurfaceHandles::nameOf(int handle) const {
   const DesignedSurface* surface = surfaceOf(bench_);
   if (const auto* poles = surface ? std::get_if<PolesSurface>(&surface->shape) : nullptr)
-    return tr("Pole %1 of row %2").arg(handle % poles->columns + 1).arg(handle / poles->columns + 1);
+    return tr("Pole %1 of %2")
+        .arg(handle % poles->columns + 1)
+        .arg(curveTitle(bench_, std::size_t(handle / poles->columns)));
   if (const auto* sections = surface ? std::get_if<SectionsSurface>(&surface->shape) : nullptr)
     for (std::size_t i = 0; i < sections->sections.size(); ++i) {
       const int count = int(sections->sections[i].points.size());
-      if (handle < count) return tr("Point %1 of section %2").arg(handle + 1).arg(i + 1);
+      if (handle < count) return tr("Point %1 of %2").arg(handle + 1).arg(curveTitle(bench_, i));
       handle -= count;
     }
   if (const std::optional<int> blade = surface ? bladeOf(*surface, handle) : std::nullopt) {
     const std::optional<int> end = endOf(*surface, handle);
-    return (!end        ? tr("Middle of key blade %1")
-            : *end == 0 ? tr("Left end of key blade %1")
-                        : tr("Right end of key blade %1"))
-        .arg(*blade + 1);
+    return (!end        ? tr("Middle of %1")
+            : *end == 0 ? tr("Left end of %1")
+                        : tr("Right end of %1"))
+        .arg(curveTitle(bench_, std::size_t(*blade)));
   }
   return {};
 }
@@ -332,7 +334,7 @@ SnapThings SurfaceHandles::snapThings() const {
   const std::vector<Eigen::Vector3d> moved =
       placesOf(movedBy(pull_->base, held(), {0, 1}, habits_.symmetric));
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (moved[i] == places[i]) things.points.push_back({nameOf(int(i)).toLower(), places[i]});
+    if (moved[i] == places[i]) things.points.push_back({withinSentence(nameOf(int(i))), places[i]});
   return things;
 }
 
@@ -563,7 +565,8 @@ bool SurfaceHandles::takeBack() {
 
 QString SurfaceHandles::pullName() const {
   const std::size_t count = held().size();
-  return count > 1 ? tr("Move %1 handles").arg(count) : tr("Move %1").arg(nameOf(pull_->handle).toLower());
+  return count > 1 ? tr("Move %1 handles").arg(count)
+                   : tr("Move %1").arg(withinSentence(nameOf(pull_->handle)));
 }
 
 void SurfaceHandles::giveUp() {

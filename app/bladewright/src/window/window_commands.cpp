@@ -12,6 +12,7 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/key_blades.h"
+#include "controls/numbers.h"
 #include "controls/typed_field.h"
 #include "window/main_window.h"
 
@@ -77,12 +78,13 @@ void MainWindow::makeCommands() {
       [this](bool) { bench_.document().undoStack().redo(); });
   QUndoStack& undo = bench_.document().undoStack();
   const auto undoText = [this](const char* id, const QString& word, const QString& text) {
-    commands_[id]->setText(text.isEmpty() ? word : word + " " + text);
+    // An & in a name marks no key.
+    commands_[id]->setText(text.isEmpty() ? word : word + " " + withinSentence(text).replace('&', "&&"));
   };
   connect(&undo, &QUndoStack::undoTextChanged, this,
-          [=, this](const QString& text) { undoText("edit.undo", tr("&Undo"), text.toLower()); });
+          [=, this](const QString& text) { undoText("edit.undo", tr("&Undo"), text); });
   connect(&undo, &QUndoStack::redoTextChanged, this,
-          [=, this](const QString& text) { undoText("edit.redo", tr("&Redo"), text.toLower()); });
+          [=, this](const QString& text) { undoText("edit.redo", tr("&Redo"), text); });
   connect(&undo, &QUndoStack::canUndoChanged, commands_["edit.undo"], &QAction::setEnabled);
   connect(&undo, &QUndoStack::canRedoChanged, commands_["edit.redo"], &QAction::setEnabled);
   commands_["edit.undo"]->setEnabled(false);

@@ -36,8 +36,15 @@ void exchange(std::vector<Part>& parts, std::string Part::*member, const std::st
 bool sameCurve(const Design& before, const Design& after, const std::string& id) {
   const std::optional<CurveOfSource> curve = curveOf(before, id);
   if (!curve) return true;
-  const DesignedSurface& then = *before.find(curve->source)->surface;
+  const Source& source = *before.find(curve->source);
+  const DesignedSurface& then = *source.surface;
   const Source* now = after.find(curve->source);
+  // Another name is a change, too.
+  const auto nameIn = [&](const Source& of) {
+    const auto named = of.curveNames.find(curve->curve);
+    return named == of.curveNames.end() ? std::string() : named->second;
+  };
+  if (now && now->surface == source.surface && nameIn(source) != nameIn(*now)) return false;
   // Others may have come before it, or gone.
   for (int i = 0; now && now->surface && i < curveCount(*now->surface); ++i)
     if (isSameCurve(then, curve->curve, *now->surface, i)) return true;
@@ -82,23 +89,42 @@ std::string nameOf(const Design& design, const Object& object) {
   const std::optional<CurveOfSource> curve =
       object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt;
   if (!curve) return object.id;
-  const SurfaceShape& shape = design.find(curve->source)->surface->shape;
-  const char* what = std::holds_alternative<PolesSurface>(shape)      ? "row "
-                     : std::holds_alternative<SectionsSurface>(shape) ? "section "
-                                                                      : "key blade ";
-  return what + std::to_string(curve->curve + 1) + " of " + curve->source;
+  return curveTitle(*design.find(curve->source), curve->curve) + " of " + curve->source;
 }
+
+namespace {
+
+/// The design with another name for a curve; without one it is called after its place.
+Result<Design> curveRenamed(const Design& design, const CurveOfSource& curve, const std::string& name) {
+  Design changed = design;
+  Source& source = *std::ranges::find(changed.sources, curve.source, &Source::id);
+  if (name.empty()) {
+    source.curveNames.erase(curve.curve);
+    return changed;
+  }
+  if (const std::string why = whyNoCurveName(name); !why.empty())
+    return fail(ErrorCode::badInput, why, "name");
+  for (const auto& [other, taken] : source.curveNames)
+    if (other != curve.curve && taken == name)
+      return fail(ErrorCode::badInput,
+                  curveWord(*source.surface, other) + " is called \"" + name + "\"; choose another name",
+                  "name");
+  source.curveNames[curve.curve] = name;
+  return changed;
+}
+
+}  // namespace
 
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name) {
   const auto refuse = [](const std::string& why) { return fail(ErrorCode::badInput, why, "name"); };
+  if (const auto curve = object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt)
+    return curveRenamed(design, *curve, name);
   if (name.find_first_not_of(" \t") == std::string::npos) return refuse("a name must not be empty");
   if (name.size() > kLongest) return refuse("a name has " + std::to_string(kLongest) + " characters at most");
   if (name.find_first_of("/\\:*?\"<>|") != std::string::npos || name.front() == '.' ||
       printable(name) != name)
     return refuse(
         "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it");
-  if (object.kind == Object::Kind::curve)
-    return refuse("the curves of a surface have their names from their place");
   if (design.grid && object.kind != Object::Kind::surface)
     return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
   const bool isTaken = object.kind == Object::Kind::block     ? taken(design.stock, object, name)

@@ -14,8 +14,8 @@
 
 namespace bw::app {
 
-/// A part of a design: it is shown or hidden, locked, and renamed. Stations are neither locked nor renamed,
-/// and a curve (`bw/core/design/surface_curves.h`) has its name from its place.
+/// A part of a design: it is shown or hidden, locked, and renamed. Stations are neither locked nor renamed;
+/// a curve (`bw/core/design/surface_curves.h`) is called after its place unless it was given a name.
 struct Object {
   enum class Kind { block, cut, surface, stations, curve };
   Kind kind = Kind::block;
@@ -29,12 +29,13 @@ std::set<std::string>& idsOf(PartIds& marked, Object::Kind kind);
 /// All that are marked: of each id among those of sources both, the surface and the curve of that id.
 std::vector<Object> objectsOf(const PartIds& marked);
 
-/// What messages call it: "north", "section 2 of surface".
+/// What messages call it: "north", "section 2 of surface", "ridge (section 2) of surface".
 std::string nameOf(const Design& design, const Object& object);
 
-/// The design with another name for a block, a cut or a source wherever it stands. Error `badInput`, with
-/// what to do: a name that is empty, taken, longer than 60 characters or with one that no file can have;
-/// blocks and cuts of a grid, and curves, which have their names from their place.
+/// The design with another name for a block, a cut, a source or a curve wherever it stands; an empty one
+/// calls a curve after its place again. Error `badInput`, with what to do: a name that is empty, taken,
+/// longer than 60 characters or, but for curves, with one that no file can have; blocks and cuts of a grid,
+/// which have their names from their place.
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
 
 /// The first of these objects that is another in `after`, or gone; empty if all are as they were.

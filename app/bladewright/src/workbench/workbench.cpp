@@ -406,15 +406,18 @@ void Workbench::setLocked(const Object& object, bool locked) {
 }
 
 Result<void> Workbench::rename(const Object& object, const std::string& name) {
-  if (name == object.id) return {};
+  const bool isCurve = object.kind == Object::Kind::curve;
+  if (name == object.id && !isCurve) return {};
   const Result<Design> changed = renamed(design(), object, name);
   if (!changed) return refuse(Topic::other, changed.error());
   Selection next = selection_;
   if (object.kind == Object::Kind::block && next.block == object.id) next.block = name;
   if (object.kind == Object::Kind::cut && next.cut == object.id) next.cut = name;
-  editDesign(tr("Rename %1").arg(QString::fromStdString(printable(object.id))),
+  const std::string was = isCurve ? nameOf(design(), object) : object.id;
+  editDesign(tr("Rename %1").arg(QString::fromStdString(printable(was))),
              [&changed](Design& design) { design = *changed; });
-  if (design() != *changed) return {};
+  // Marks call a curve by its place.
+  if (design() != *changed || isCurve) return {};
   // The old name stays hidden too: undo brings it back.
   PartMarks marks = document_.marks();
   const auto followName = [&](Object::Kind kind) {

@@ -8,6 +8,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/surface_curves.h"
+#include "workflow/section_edits.h"
 #include "workflow/surface_fields.h"
 
 namespace bw::app {
@@ -80,12 +81,13 @@ void SurfaceFields::addCurve(FormColumn* column, const DesignedSurface& surface)
 }
 
 void SurfaceFields::addRow(FormColumn* column, int row, const PolesSurface& surface) {
-  column->addHeading(tr("Row %1, heights of its poles").arg(row + 1));
+  const QString title = curveTitle(bench_, std::size_t(row));
+  column->addHeading(tr("%1, heights of its poles").arg(curveHeading(bench_, std::size_t(row))));
   for (int c = 0; c < surface.columns; ++c)
     column->add(tr("Pole %1").arg(c + 1),
                 field([row, c](DesignedSurface& s)
                           -> double& { return std::get<PolesSurface>(s.shape).at(row, c).height; },
-                      placeOfPole(bench_, row, c), tr("pole %1 of row %2").arg(c + 1).arg(row + 1)),
+                      placeOfPole(bench_, row, c), tr("pole %1 of %2").arg(c + 1).arg(title)),
                 tr("How high it lies"));
 }
 
@@ -94,7 +96,7 @@ void SurfaceFields::addTangents(FormColumn* column, std::size_t section, const S
   for (std::size_t pole = 0; pole < curve.points.size(); ++pole) {
     if (!hasTangent(curve, pole)) continue;
     if (std::exchange(first, false)) column->addHeading(tr("Tangents"));
-    const QString name = tr("tangent at pole %1 of section %2").arg(pole + 1).arg(section + 1);
+    const QString name = tr("tangent at pole %1 of %2").arg(pole + 1).arg(curveTitle(bench_, section));
     auto* field = new NumberField({-360, 360, 2, 1, QString(QChar(0xb0))});
     field->setAccessibleName(name);
     column->add(

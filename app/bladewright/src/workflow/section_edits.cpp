@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "bw/core/design/section_list.h"
+#include "bw/core/design/surface_curves.h"
+#include "bw/core/text/printable.h"
 
 namespace bw::app {
 
@@ -34,15 +36,26 @@ bool take(Workbench& bench, const QString& text, Result<Design> changed) {
 
 }  // namespace
 
+QString curveTitle(const Workbench& bench, std::size_t curve) {
+  return QString::fromStdString(printable(bw::curveTitle(bench.source(), int(curve))));
+}
+
+QString curveHeading(const Workbench& bench, std::size_t curve) {
+  QString title = curveTitle(bench, curve);
+  const bool named = bench.source().curveNames.contains(int(curve));
+  if (!named && !title.isEmpty()) title[0] = title[0].toUpper();
+  return title;
+}
+
 std::optional<std::size_t> addPoint(Workbench& bench, std::size_t section, std::size_t after) {
   std::size_t added = 0;
   Result<Design> changed = withPointAfter(bench.design(), sourceOf(bench), section, after, &added);
-  if (!take(bench, words("Add point to section %1").arg(section + 1), std::move(changed))) return {};
+  if (!take(bench, words("Add point to %1").arg(curveTitle(bench, section)), std::move(changed))) return {};
   return added;
 }
 
 bool removePoint(Workbench& bench, std::size_t section, std::size_t point) {
-  return take(bench, words("Remove point %1 of section %2").arg(point + 1).arg(section + 1),
+  return take(bench, words("Remove point %1 of %2").arg(point + 1).arg(curveTitle(bench, section)),
               withoutPoint(bench.design(), sourceOf(bench), section, point));
 }
 
@@ -51,7 +64,7 @@ bool addSection(Workbench& bench, std::size_t after) {
 }
 
 bool removeSection(Workbench& bench, std::size_t section) {
-  return take(bench, words("Remove section %1").arg(section + 1),
+  return take(bench, words("Remove %1").arg(curveTitle(bench, section)),
               withoutSection(bench.design(), sourceOf(bench), section));
 }
 
@@ -60,31 +73,17 @@ bool addBlade(Workbench& bench, std::size_t after) {
 }
 
 bool removeBlade(Workbench& bench, std::size_t blade) {
-  return take(bench, words("Remove key blade %1").arg(blade + 1),
+  return take(bench, words("Remove %1").arg(curveTitle(bench, blade)),
               withoutBlade(bench.design(), sourceOf(bench), blade));
 }
 
-namespace {
-
-bool isOfBlades(const Workbench& bench) {
-  return std::holds_alternative<BladesSurface>(bench.source().surface->shape);
-}
-
-}  // namespace
-
 bool repeatEntry(Workbench& bench, std::size_t entry) {
-  return take(bench,
-              words(isOfBlades(bench) ? "Duplicate key blade %1" : "Duplicate section %1").arg(entry + 1),
+  return take(bench, words("Duplicate %1").arg(curveTitle(bench, entry)),
               withEntryRepeated(bench.design(), sourceOf(bench), entry));
 }
 
 bool copyShape(Workbench& bench, std::size_t from, const std::vector<std::size_t>& to) {
-  const bool rows = std::holds_alternative<PolesSurface>(bench.source().surface->shape);
-  return take(bench,
-              words(isOfBlades(bench) ? "Copy shape of key blade %1"
-                    : rows            ? "Copy shape of row %1"
-                                      : "Copy shape of section %1")
-                  .arg(from + 1),
+  return take(bench, words("Copy shape of %1").arg(curveTitle(bench, from)),
               withShapeCopied(bench.design(), sourceOf(bench), from, to));
 }
 

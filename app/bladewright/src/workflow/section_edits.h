@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QString>
+
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,6 +14,11 @@ namespace bw::app {
 
 // Sections and points of the loft, or key blades of the surface, that the cut selected is of, added and taken
 // away, each as an undoable step; what cannot be is told, and false. All count from 0.
+
+/// What a section, key blade or row of poles is called within a sentence: "section 2", or, where it was given
+/// a name, "ridge (section 2)"; and as a heading.
+QString curveTitle(const Workbench& bench, std::size_t curve);
+QString curveHeading(const Workbench& bench, std::size_t curve);
 
 /// The index of the point that is added.
 std::optional<std::size_t> addPoint(Workbench& bench, std::size_t section, std::size_t after);

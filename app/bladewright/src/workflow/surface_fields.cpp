@@ -189,6 +189,8 @@ void SurfaceFields::refresh() {
   DesignedSurface surface = *bench_.source().surface;
   std::string structure = structureOf(surface);
   if (curve_) structure += " of " + std::to_string(*curve_);
+  for (const auto& [curve, name] : bench_.source().curveNames)
+    structure += "\n" + std::to_string(curve) + " " + name;
   if (structure != built_) {
     rebuild(surface);
     built_ = structure;
@@ -327,7 +329,7 @@ void SurfaceFields::addPoles(FormColumn* column, const PolesSurface& surface) {
     for (int c = 0; c < surface.columns; ++c) {
       NumberField* pole = field(
           [r, c](DesignedSurface& s) -> double& { return std::get<PolesSurface>(s.shape).at(r, c).height; },
-          placeOfPole(bench_, r, c), tr("pole %1 of row %2").arg(c + 1).arg(r + 1));
+          placeOfPole(bench_, r, c), tr("pole %1 of %2").arg(c + 1).arg(curveTitle(bench_, std::size_t(r))));
       pole->setSuffix(" ");  // the unit stands above, and is understood
       pole->setFixedWidth(kGridFieldWidth);
       grid->addWidget(pole, surface.rows - 1 - r, c);
@@ -377,14 +379,14 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
 void SurfaceFields::addSectionFields(FormColumn* column, std::size_t i, const SectionsSurface& surface) {
   const SectionCurve& section = surface.sections[i];
   const bool bezier = section.kind == SectionCurve::Kind::bezier;
-  column->addHeading(bezier ? tr("Section %1, poles x, z").arg(i + 1)
-                            : tr("Section %1, points x, z").arg(i + 1));
+  const QString title = curveTitle(bench_, i);
+  column->addHeading((bezier ? tr("%1, poles x, z") : tr("%1, points x, z")).arg(curveHeading(bench_, i)));
   auto* kind = column->add(
       tr("Curve"), new ChoiceField,
       tr("Bézier: cubics that meet with one tangent. Spline: one curvature. Ducks: the elastic spline that "
          "slides through its points. Another kind begins near the one before"));
   kind->addItems({tr("Bézier"), tr("Spline"), tr("Ducks")});
-  kind->setAccessibleName(tr("Curve of section %1").arg(i + 1));
+  kind->setAccessibleName(tr("Curve of %1").arg(title));
   connect(kind, &QComboBox::activated, this,
           [this, i](int chosen) { changeSectionKind(i, SectionCurve::Kind(chosen)); });
   sectionKinds_.emplace_back(i, kind);
@@ -392,7 +394,7 @@ void SurfaceFields::addSectionFields(FormColumn* column, std::size_t i, const Se
     return std::get<SectionsSurface>(s.shape).sections[i];
   };
   const std::string place = at("/sections", i);
-  const QString name = tr("y of section %1").arg(i + 1);
+  const QString name = tr("y of %1").arg(title);
   NumberField* along = field([of](DesignedSurface& s) -> double& { return of(s).y; },
                              placeInSurface(bench_, place + "/y"), name);
   along->setCheck([this, i](double y) {
@@ -409,14 +411,14 @@ void SurfaceFields::addSectionFields(FormColumn* column, std::size_t i, const Se
           field([of, p, axis](DesignedSurface& s) -> double& { return of(s).points[p](axis); },
                 placeInSurface(bench_,
                                at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis))),
-                tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
+                tr("%1 of point %2 of %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(title));
       grid->addWidget(number, int(p), axis);
     }
   // Numbers alone stand where one curve is told.
   for (std::size_t p = 0; p < section.points.size() && shows_ == Shows::whole; ++p) {
     auto* gone = new QToolButton;
     gone->setText(QChar(0xd7));
-    gone->setAccessibleName(tr("Remove point %1 of section %2").arg(p + 1).arg(i + 1));
+    gone->setAccessibleName(tr("Remove point %1 of %2").arg(p + 1).arg(title));
     gone->setToolTip(bezier ? tr("Takes the pole away, of a chain the joint next to it with its legs")
                             : tr("Takes the point away"));
     gone->setEnabled(section.points.size() > 2);
@@ -432,11 +434,11 @@ void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, s
   auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
   const auto add = [&](const QString& text, const QString& name, const QString& tip, auto run) {
     QPushButton* button = makeButton(text, tip, this, run);
-    button->setAccessibleName(name.arg(section + 1));
+    button->setAccessibleName(name.arg(curveTitle(bench_, section)));
     row->addWidget(button);
     return button;
   };
-  add(tr("Add point"), tr("Add a point to section %1"),
+  add(tr("Add point"), tr("Add a point to %1"),
       tr("A point more before the last one; the handles in the picture add them anywhere"), [this, section] {
         const auto& loft = std::get<SectionsSurface>(bench_.source().surface->shape);
         addPoint(bench_, section, loft.sections[section].points.size() - 2);
@@ -444,7 +446,7 @@ void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, s
   add(tr("Add section"), tr("Add a section after %1"),
       tr("A section more halfway to the next one, as the surface is there; beyond the last one it goes on"),
       [this, section] { addSection(bench_, section); });
-  QPushButton* less = add(tr("Remove"), tr("Remove section %1"),
+  QPushButton* less = add(tr("Remove"), tr("Remove %1"),
                           count > 2 ? tr("Takes the section away") : tr("A loft keeps two sections"),
                           [this, section] { removeSection(bench_, section); });
   less->setEnabled(count > 2);
@@ -467,12 +469,13 @@ void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) 
 }
 
 void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_t count) {
-  column->addHeading(tr("Key blade %1").arg(i + 1));
+  const QString title = curveTitle(bench_, i);
+  column->addHeading(curveHeading(bench_, i));
   const auto of = [i](DesignedSurface& s) -> KeyBlade& { return std::get<BladesSurface>(s.shape).blades[i]; };
   const std::string place = at("/blades", i);
   const auto add = [&](const QString& label, const Get& get, const std::string& key, const Unit& unit,
                        const QString& tip) {
-    const QString name = tr("%1 of key blade %2").arg(label).arg(i + 1);
+    const QString name = tr("%1 of %2").arg(label, title);
     return column->add(label, field(get, placeInSurface(bench_, place + key), name, unit), tip);
   };
   const Unit mm, bare{3, 0.1, {}, 1};
@@ -496,7 +499,7 @@ void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_
     column->add(
         label,
         endField(i, end, placeInSurface(bench_, place + "/end_heights/" + std::to_string(end)),
-                 tr("%1 of key blade %2").arg(label).arg(i + 1)),
+                 tr("%1 of %2").arg(label, title)),
         tr("How high this end of the blade lies; the blade is turned about its other end, as it is. An "
            "expression here frees those of middle and lean"));
   }
@@ -518,12 +521,12 @@ void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_
   auto* buttons = new QWidget;
   auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
   auto* more = new QPushButton(tr("Add one after"));
-  more->setAccessibleName(tr("Add a key blade after %1").arg(i + 1));
+  more->setAccessibleName(tr("Add a key blade after %1").arg(title));
   more->setToolTip(tr("The blade halfway to the next one, as it is"));
   more->setEnabled(i + 1 < count);
   connect(more, &QPushButton::clicked, this, [this, i] { addBlade(bench_, i); });
   auto* less = new QPushButton(tr("Remove"));
-  less->setAccessibleName(tr("Remove key blade %1").arg(i + 1));
+  less->setAccessibleName(tr("Remove %1").arg(title));
   less->setToolTip(count > 2 ? tr("The blades beside it run into each other then")
                              : tr("A surface has two key blades at least"));
   less->setEnabled(count > 2);
@@ -545,7 +548,7 @@ void SurfaceFields::changeSectionKind(std::size_t section, SectionCurve::Kind ki
   }
   curve.points = std::move(*points);
   curve.kind = kind;
-  replace(tr("Change curve of section %1").arg(section + 1), std::move(surface));
+  replace(tr("Change curve of %1").arg(curveTitle(bench_, section)), std::move(surface));
 }
 
 std::string SurfaceFields::pointer() const {

@@ -47,6 +47,8 @@ struct Source {
       std::nullopt;  ///< mm within which edges of faces are joined; empty = by the tolerance
   /// A surface that is designed, in the design's frame; then there is no file.
   std::optional<DesignedSurface> surface = std::nullopt;
+  /// What curves of that surface were called, by their place, counted from 0 (surface_curves.h).
+  std::map<int, std::string> curveNames = {};
   bool operator==(const Source&) const = default;
 
   /// True where nothing is named yet.
