@@ -3,6 +3,7 @@
 //
 // The inspector: what the design tells is edited there, what is found is read.
 #include "bw/core/base/units.h"
+#include "bw/core/shape/told_stretches.h"
 #include "controls/fields.h"
 #include "window/curve_handles.h"
 #include "window_fixture.h"
@@ -198,6 +199,47 @@ TEST_F(InspectorTest, ASectionIsEditedPointByPoint) {
     const Eigen::Vector2d along = section().points[from + 1] - section().points[from];
     EXPECT_NEAR(std::atan2(along.y(), along.x()), 5 * kDegree, 1e-9);
   }
+}
+
+TEST_F(InspectorTest, AStationTellsWhereTheKeyBladesAreNone) {
+  ASSERT_NO_FATAL_FAILURE(open("key-blade-fan"));
+  bench().selectStation(3);
+  QTest::qWait(0);
+  const auto told = [this]() -> const ValueLabel* {
+    return field<ValueLabel>("Told by the key blades here");
+  };
+  EXPECT_FALSE(told()) << "of good ones nothing is told";
+  double y = 0;
+  bench().editSurface("Bend", [&](DesignedSurface& surface) {
+    KeyBlade& blade = std::get<BladesSurface>(surface.shape).blades[1];
+    blade.bend = std::copysign(1.1 * blade.length / bench().design().blade.minRadius(), blade.bend);
+    y = blade.y;
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  ASSERT_FALSE(bench().shown()->told[0].value->empty());
+  const ToldStretch stretch = bench().shown()->told[0].value->front();
+  ASSERT_LT(stretch.from, y);
+  int in = 0, out = 0;
+  const auto result = bench().sweep();
+  const DesignedSurface& surface = *bench().source().surface;
+  const Eigen::Vector3d along = rotationFromAngles(surface.rotation).col(1);
+  for (std::size_t i = 0; i < result->size(); ++i) {
+    const double at = (result->station(i).pose.frame.origin - surface.origin).dot(along);
+    bench().selectStation(int(i));
+    QTest::qWait(0);
+    const bool within = at >= stretch.from && at <= stretch.to;
+    ASSERT_EQ(told() != nullptr, within) << i;
+    ++(within ? in : out);
+    if (!within) continue;
+    EXPECT_TRUE(told()->text().contains("the key blades tell shapes that bend to a radius of"))
+        << told()->text().toStdString();
+    EXPECT_TRUE(told()->text().startsWith("At y = "));
+    EXPECT_TRUE(told()->broken());
+    if (in == 1) picture("inspector-told");
+  }
+  EXPECT_GT(in, 0);
+  EXPECT_GT(out, 0);
 }
 
 TEST_F(InspectorTest, KeyBladesRowsAndFormulasAreEdited) {

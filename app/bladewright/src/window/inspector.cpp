@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "bw/core/shape/told_stretches.h"
 #include "bw/core/text/number_text.h"
+#include "bw/words/findings.h"
 
 namespace bw::app {
 
@@ -18,6 +21,7 @@ using pipeline::StationView;
 namespace {
 
 constexpr int kLeastWidth = 250;
+constexpr int kSectionPoints = 17;  // of a section, at which its place is looked up
 
 QString ratioText(double ratio) { return QString::fromStdString(fixedText(ratio, 2)); }
 QString shortNumber(double value) { return QString::fromStdString(shortText(value, 3)); }
@@ -127,6 +131,35 @@ std::optional<pipeline::StationView> Inspector::station() const {
   const int index = bench_.selection().station;
   if (!result || index < 0 || std::size_t(index) >= result->size()) return std::nullopt;
   return result->station(std::size_t(index));
+}
+
+QString Inspector::toldHere() const {
+  const auto shown = bench_.shown();
+  const std::optional<StationView> at = station();
+  if (!shown || !at) return {};
+  const Design& design = shown->design;
+  const auto cut = std::ranges::find(design.cuts, bench_.selection().cut, &Cut::id);
+  if (cut == design.cuts.end()) return {};
+  const Source& source = design.sourceOf(*cut);
+  const auto place = std::size_t(&source - design.sources.data());
+  if (!source.surface || place >= shown->told.size() || !shown->told[place].value) return {};
+  // The section crosses these y of the frame that the key blades are told in: one, where it lies across them.
+  const Eigen::Vector3d along = rotationFromAngles(source.surface->rotation).col(1);
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (const Eigen::Vector2d& point : at->fit.target.sample(kSectionPoints)) {
+    const double y = (at->pose.frame.toWorld(point) - source.surface->origin).dot(along);
+    from = std::min(from, y);
+    to = std::max(to, y);
+  }
+  const std::vector<ToldStretch>& stretches = *shown->told[place].value;
+  const Findings& findings = shown->told[place].findings;
+  QStringList told;
+  for (std::size_t i = 0; i < stretches.size() && i < findings.size(); ++i)
+    if (to >= stretches[i].from - kStretchEnd && from <= stretches[i].to + kStretchEnd)
+      told << QString::fromStdString(words::sentence(findings[i], words::Reader::window));
+  for (QString& sentence : told)
+    if (!sentence.isEmpty()) sentence = sentence.left(1).toUpper() + sentence.mid(1) + QLatin1Char('.');
+  return told.join(QLatin1Char('\n'));
 }
 
 void Inspector::makeResult() {
@@ -312,6 +345,10 @@ void Inspector::makeStation() {
   });
   line->addWidget(stationNumber_);
   column->addWide(row);
+  told_ = column->addWide(new ValueLabel);
+  told_->setWordWrap(true);
+  told_->setAccessibleName(tr("Told by the key blades here"));
+  values_.push_back({told_, [this] { return toldHere(); }, [this] { return !toldHere().isEmpty(); }});
   const auto add = [&](const QString& name, const QString& tip,
                        std::function<QString(const StationView&)> text, bool SweepLimits::*broken = nullptr) {
     addValue(
@@ -433,6 +470,7 @@ void Inspector::refresh() {
     const QString text = value.text();
     value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
   }
+  told_->setVisible(!toldHere().isEmpty());
   refreshStanding();
   cutLines_->refresh();
   // Of a page that nobody sees the fields wait.

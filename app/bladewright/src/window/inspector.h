@@ -60,6 +60,8 @@ class Inspector : public SidePanel {
   /// The block selected, of the result on the screen; null if there is none.
   const pipeline::BlockEvaluation* block() const;
   std::optional<pipeline::StationView> station() const;
+  /// What no blade can be of all that the key blades tell where the station selected lies, a sentence each.
+  QString toldHere() const;
   void refreshStanding();
 
   Workbench& bench_;
@@ -75,6 +77,7 @@ class Inspector : public SidePanel {
   GridFields* gridFields_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   NumberField* stationNumber_ = nullptr;
+  ValueLabel* told_ = nullptr;
   bool stale_ = false;
 };
 
