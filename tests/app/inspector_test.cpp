@@ -3,6 +3,7 @@
 //
 // The inspector: what the design tells is edited there, what is found is read.
 #include "bw/core/base/units.h"
+#include "bw/core/shape/section_tangents.h"
 #include "bw/core/shape/told_stretches.h"
 #include "controls/fields.h"
 #include "window/curve_handles.h"
@@ -199,6 +200,64 @@ TEST_F(InspectorTest, ASectionIsEditedPointByPoint) {
     const Eigen::Vector2d along = section().points[from + 1] - section().points[from];
     EXPECT_NEAR(std::atan2(along.y(), along.x()), 5 * kDegree, 1e-9);
   }
+}
+
+TEST_F(InspectorTest, ATangentAndADirectionStandForExpressions) {
+  ASSERT_NO_FATAL_FAILURE(open("twist"));
+  ASSERT_NO_FATAL_FAILURE(addVariable("lean = 20, 0 to 60"));
+  ASSERT_NO_FATAL_FAILURE(chooseCurve(1));
+  const auto section = [this] { return shape<SectionsSurface>().sections[1]; };
+  constexpr const char* kTold = "/sources/0/surface/sections/1/tangents_deg/0";
+  const QString tangent = "tangent at pole 1 of section 2";
+  ASSERT_NO_FATAL_FAILURE(type("z of point 2 of section 2", "=height + 2*rise"));
+  ASSERT_NO_FATAL_FAILURE(type(tangent, "=lean + 10"));
+  EXPECT_EQ(boundAt(kTold), "lean + 10");
+  EXPECT_EQ(boundAt("/sources/0/surface/sections/1/bezier/1/1"), "") << "the leg is free of its own";
+  EXPECT_EQ(field(tangent)->expression(), "lean + 10");
+  EXPECT_EQ(field(tangent)->text(), "30");
+  const auto angle = [&] { return *tangentAt(section(), 0); };
+  EXPECT_NEAR(angle(), 30, 1e-9);
+  ASSERT_NO_FATAL_FAILURE(expectKept());
+  picture("inspector-tangent-bound");
+  const auto setLean = [&](const QString& to) {
+    auto* lean = find<NumberField>("lean");
+    ASSERT_TRUE(lean);
+    lean->setFocus();
+    lean->selectAll();
+    QTest::keyClicks(lean, to);
+    QTest::keyClick(lean, Qt::Key_Return);
+  };
+  ASSERT_NO_FATAL_FAILURE(setLean("5"));
+  EXPECT_NEAR(angle(), 15, 1e-9);
+  EXPECT_EQ(field(tangent)->text(), "15");
+  // Where the pole is moved the tangent stays; a leg that is typed over frees it.
+  ASSERT_NO_FATAL_FAILURE(type("z of point 1 of section 2", "310"));
+  EXPECT_NEAR(angle(), 15, 1e-9);
+  EXPECT_EQ(boundAt(kTold), "lean + 10");
+  ASSERT_NO_FATAL_FAILURE(type("z of point 2 of section 2", "300"));
+  EXPECT_EQ(boundAt(kTold), "");
+  EXPECT_EQ(field(tangent)->expression(), "");
+  // The way of travel, and the way up.
+  select(Selection::Kind::result);
+  ASSERT_NO_FATAL_FAILURE(choose("Direction", 4));
+  ASSERT_NO_FATAL_FAILURE(type("Direction X", "=lean/100"));
+  EXPECT_EQ(boundAt("/cuts/0/direction/0"), "lean/100");
+  EXPECT_EQ(bench().cut().direction->x(), 0.05);
+  ASSERT_NO_FATAL_FAILURE(expectKept());
+  picture("inspector-direction-bound");
+  ASSERT_NO_FATAL_FAILURE(setLean("0"));
+  EXPECT_EQ(bench().cut().direction->x(), 0);
+  EXPECT_EQ(field<ChoiceField>("Direction")->currentIndex(), 4) << "it is an axis, but stands for more";
+  EXPECT_EQ(field("Direction X")->expression(), "lean/100");
+  // An axis stands for none, be it the same way.
+  ASSERT_EQ(*bench().cut().direction, Eigen::Vector3d::UnitZ());
+  field<ChoiceField>("Direction")->setFocus();
+  QTest::keyClick(field<ChoiceField>("Direction"), Qt::Key_Up);
+  EXPECT_EQ(boundAt("/cuts/0/direction/0"), "");
+  EXPECT_EQ(field<ChoiceField>("Direction")->currentIndex(), 3);
+  EXPECT_EQ(*bench().cut().direction, Eigen::Vector3d::UnitZ());
+  bench().document().undoStack().undo();
+  EXPECT_EQ(boundAt("/cuts/0/direction/0"), "lean/100");
 }
 
 TEST_F(InspectorTest, AStationTellsWhereTheKeyBladesAreNone) {

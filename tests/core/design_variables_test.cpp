@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/blade_bindings.h"
 #include "bw/core/design/design.h"
+#include "bw/core/design/section_list.h"
 #include "bw/core/shape/blade_ends.h"
+#include "bw/core/shape/section_tangents.h"
 #include "read_design.h"
 
 namespace bw {
@@ -189,10 +192,33 @@ TEST(DesignVariables, UnknownNamesAndValuesOutOfRangeAreErrorsThatSayMore) {
   EXPECT_NE(withVariables(Design{}, {{"a", 1}}).error().message.find("no variables"), std::string::npos);
 }
 
+TEST(DesignVariables, DirectionsMayBeToldByExpressions) {
+  json object = json::parse(kDesign);
+  object["cuts"][0]["direction"] = {"=amplitude/100", 1, 0};
+  object["process"]["up"] = {0, "=amplitude - 40", 2};
+  const Design design = designOf(object.dump());
+  EXPECT_EQ(*design.cut().direction, Eigen::Vector3d(0.4, 1, 0)) << "the numbers stay as they were told";
+  EXPECT_EQ(design.process.up, Eigen::Vector3d(0, 0, 2));
+  EXPECT_EQ(design.bindings.at("/cuts/0/direction/0").text, "amplitude/100");
+  const json written = json::parse(designToJson(design));
+  EXPECT_EQ(written["cuts"][0]["direction"], json({"=amplitude/100", 1.0, 0.0}));
+  EXPECT_EQ(written["process"]["up"][1], "=amplitude - 40");
+  EXPECT_EQ(designOf(written.dump()), design);
+  const Design other = withVariables(design, {{"amplitude", 50}}).value();
+  EXPECT_EQ(*other.cut().direction, Eigen::Vector3d(0.5, 1, 0));
+  EXPECT_EQ(other.process.up, Eigen::Vector3d(0, 10, 2));
+  EXPECT_EQ(withVariables(other, {{"amplitude", 40}}).value(), design);
+  // Without one its length is one, as ever.
+  object["cuts"][0]["direction"] = {3, 4, 0};
+  EXPECT_EQ(*designOf(object.dump()).cut().direction, Eigen::Vector3d(0.6, 0.8, 0));
+}
+
 TEST(DesignVariables, ExpressionsStandOnlyForNumbersThatStayAsWritten) {
   json object = json::parse(kDesign);
-  object["cuts"][0]["direction"] = {0, "=n", 1};
-  EXPECT_EQ(errorOf(object), "design.cuts[0].direction must be three numbers [x, y, z]");
+  object["cuts"][0]["direction"] = {0, "n", 1};
+  EXPECT_EQ(errorOf(object), "design.cuts[0].direction[1] must be a number, not string");
+  object["cuts"][0]["direction"] = {0, "=n - 33", 0};
+  EXPECT_EQ(errorOf(object), "design.cuts[0].direction has length zero; give the way the blade travels");
   object = json::parse(kDesign);
   object["process"]["tolerance"] = "2";
   EXPECT_EQ(errorOf(object), "design.process.tolerance must be a number, not string");
@@ -355,6 +381,110 @@ TEST(DesignedSurfaceFiles, SlipsInEndHeightsAreNamed) {
             std::string::npos);
   EXPECT_EQ(message(R"(, "end_heights": null)"), "accepted");
   EXPECT_EQ(message(R"(, "end_heights": [null, null])", R"([300, "=amplitude"])"), "accepted");
+}
+
+namespace {
+
+/// A loft of a line and of two cubics, whose second has that beside its poles.
+std::string loftOfCubics(const std::string& more, const std::string& leg = "[400, 250]") {
+  return R"({"type": "sections", "sections": [{"y": 0, "bezier": [[0, 200], [600, 200]]},
+      {"y": 800, "bezier": [[0, 200], [100, 200], [200, 230], [300, 240], )" +
+         leg + R"(, [500, 200], [600, 200]])" + more + "}]}";
+}
+
+const SectionCurve& secondSection(const Design& design) {
+  return std::get<SectionsSurface>(design.source().surface->shape).sections[1];
+}
+
+constexpr const char* kSecondTangent = "/sources/0/surface/sections/1/tangents_deg/1";
+
+}  // namespace
+
+TEST(DesignedSurfaceFiles, TangentsOfSectionsMayBeToldByExpressions) {
+  const Design plain = designOf(withSurface(loftOfCubics("")).dump());
+  EXPECT_EQ(jointCount(secondSection(plain)), 3u);
+  const Design one =
+      designOf(withSurface(loftOfCubics(R"(, "tangents_deg": [null, "=amplitude/2", null])")).dump());
+  EXPECT_NEAR(*tangentAt(secondSection(one), 1), 20, 1e-9);
+  const auto legs = [](const Design& design) {
+    const auto& p = secondSection(design).points;
+    return std::array{(p[3] - p[2]).norm(), (p[4] - p[3]).norm()};
+  };
+  for (const std::size_t leg : {0u, 1u}) EXPECT_NEAR(legs(one)[leg], legs(plain)[leg], 1e-9);
+  EXPECT_EQ(secondSection(one).points[3], secondSection(plain).points[3]);
+  EXPECT_EQ(secondSection(one).points[1], secondSection(plain).points[1]) << "other legs follow the poles";
+  const json written = json::parse(designToJson(one))["sources"][0]["surface"]["sections"][1];
+  EXPECT_EQ(written["tangents_deg"], json({nullptr, "=amplitude/2", nullptr}));
+  EXPECT_EQ(designOf(designToJson(one)), one);
+  const Design other = withVariables(one, {{"amplitude", 30}}).value();
+  EXPECT_NEAR(*tangentAt(secondSection(other), 1), 15, 1e-9);
+  EXPECT_EQ(other.bindings.at(kSecondTangent).value, 15);
+  // More than half a turn is the angle that was meant, too.
+  const Design back =
+      designOf(withSurface(loftOfCubics(R"(, "tangents_deg": [null, "=amplitude*5", null])")).dump());
+  EXPECT_NEAR(*tangentAt(secondSection(back), 1, 200), 200, 1e-9);
+  EXPECT_EQ(back.bindings.size(), 1u);
+  EXPECT_EQ(resolved(back).value(), back);
+  // A number turns the legs once, and files without the key are as they were.
+  const Design number = designOf(withSurface(loftOfCubics(R"(, "tangents_deg": [null, 20, null])")).dump());
+  EXPECT_LT((secondSection(number).points[4] - secondSection(one).points[4]).norm(), 1e-9);
+  EXPECT_EQ(designToJson(number).find("tangents_deg"), std::string::npos);
+  EXPECT_EQ(designToJson(plain).find("tangents_deg"), std::string::npos);
+  // A leg that was pulled frees it.
+  Design pulled = one;
+  std::get<SectionsSurface>(pulled.source().surface->shape).sections[1].points[4].y() += 5;
+  EXPECT_TRUE(resolved(pulled).value().bindings.empty());
+}
+
+TEST(DesignedSurfaceFiles, TangentsStayWhereTheJointIsMovedAndGoWithItWhereOthersCome) {
+  const Design one =
+      designOf(withSurface(loftOfCubics(R"(, "tangents_deg": [null, "=amplitude/2", null])")).dump());
+  Design moved = one;
+  std::get<SectionsSurface>(moved.source().surface->shape).sections[1].points[3].y() += 10;
+  holdTangents(moved, one);
+  EXPECT_NEAR(*tangentAt(secondSection(moved), 1), 20, 1e-9);
+  EXPECT_EQ(resolved(moved).value().bindings, one.bindings);
+  // Another cubic before it, and one less.
+  const Design more = withPointAfter(one, 0, 1, 0).value();
+  EXPECT_EQ(more.bindings.begin()->first, "/sources/0/surface/sections/1/tangents_deg/2");
+  EXPECT_EQ(resolved(more).value().bindings, more.bindings);
+  EXPECT_EQ(withoutPoint(more, 0, 1, 3).value().bindings, one.bindings);
+  EXPECT_TRUE(withoutPoint(one, 0, 1, 3).value().bindings.empty()) << "it is gone itself";
+  EXPECT_EQ(withoutPoint(one, 0, 1, 0).value().bindings.begin()->first,
+            "/sources/0/surface/sections/1/tangents_deg/0");
+  EXPECT_EQ(withoutPoint(one, 0, 1, 6).value().bindings, one.bindings);
+  // An expression for a leg takes that of the tangent away, and the other way round.
+  const std::string poles = "/sources/0/surface/sections/1/bezier/";
+  auto bindings = one.bindings;
+  bindings[poles + "1/0"] = bindings[poles + "3/1"] = {"amplitude", 40};
+  freeRivals(bindings, poles + "4/1");
+  EXPECT_FALSE(bindings.contains(kSecondTangent));
+  bindings[poles + "4/1"] = bindings["/sources/0/surface/sections/0/bezier/4/1"] = {"amplitude", 40};
+  freeRivals(bindings, kSecondTangent);
+  EXPECT_FALSE(bindings.contains(poles + "4/1"));
+  EXPECT_EQ(bindings.size(), 3u) << "of the joint itself, of other legs, and of another section";
+}
+
+TEST(DesignedSurfaceFiles, SlipsInTangentsAreNamed) {
+  const auto message = [](const std::string& more, const std::string& leg = "[400, 250]") {
+    return errorOf(withSurface(loftOfCubics(more, leg)));
+  };
+  const auto says = [](const std::string& all, const std::string& part) {
+    return all.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(says(message(R"(, "tangents_deg": [1, 2])"), "must be a list of 3 angles"));
+  EXPECT_TRUE(says(message(R"(, "tangents_deg": [1, 2, "a"])"), "tangents_deg[2] must be a number"));
+  EXPECT_TRUE(says(message(R"(, "tangents_deg": [1, "=amplitde", 2])"), "did you mean"));
+  EXPECT_TRUE(says(message(R"(, "tangents_deg": [null, 400, null])"), "must lie between"));
+  EXPECT_TRUE(says(message(R"(, "tangents_deg": [null, 4, null])", R"([400, "=amplitude"])"),
+                   "turns the poles beside bezier[3], which cannot be told by expressions then; write the "
+                   "numbers of bezier[4]"));
+  EXPECT_EQ(message(R"(, "tangents_deg": null)"), "accepted");
+  EXPECT_EQ(message(R"(, "tangents_deg": [4, null, null])", R"([400, "=amplitude*6.25"])"), "accepted");
+  json splines = withSurface(R"({"type": "sections", "sections": [
+      {"y": 0, "bezier": [[0, 200], [600, 200]], "tangents_deg": [1]},
+      {"y": 9, "bezier": [[0, 200], [600, 200]]}]})");
+  EXPECT_TRUE(says(errorOf(splines), "is for cubics alone"));
 }
 
 TEST(DesignedSurfaceFiles, AFormulaKeepsTheVariablesThatItUses) {

@@ -3,15 +3,57 @@
 
 #include "bw/core/design/blade_bindings.h"
 
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <variant>
 
 #include "bw/core/shape/blade_ends.h"
+#include "bw/core/shape/section_tangents.h"
 
 namespace bw {
 
+namespace {
+
+/// Between a section of a pointer and the number at its end or before the next slash.
+std::optional<std::size_t> numberAfter(const std::string& pointer, std::size_t at) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(pointer.data() + at, pointer.data() + pointer.size(), number);
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+/// A tangent leaves no room for expressions of the poles beside it, nor these for one.
+void freeTangents(std::map<std::string, BoundNumber>& bindings, const std::string& place) {
+  constexpr std::string_view kList = "/surface/sections/", kTangents = "/tangents_deg/", kPoles = "/bezier/";
+  const std::size_t list = place.find(kList);
+  const std::size_t end = list == std::string::npos ? list : place.find('/', list + kList.size());
+  if (end == std::string::npos) return;
+  const std::string section = place.substr(0, end);
+  const auto numberIn = [&section](const std::string& pointer, std::string_view key) {
+    return pointer.starts_with(section) && pointer.compare(section.size(), key.size(), key) == 0
+               ? numberAfter(pointer, section.size() + key.size())
+               : std::nullopt;
+  };
+  const auto isLeg = [](std::size_t pole, std::size_t joint) {
+    return pole + 1 == poleOfJoint(joint) || pole == poleOfJoint(joint) + 1;
+  };
+  if (const auto joint = numberIn(place, kTangents))
+    std::erase_if(bindings, [&](const auto& bound) {
+      const auto pole = numberIn(bound.first, kPoles);
+      return pole && isLeg(*pole, *joint);
+    });
+  if (const auto pole = numberIn(place, kPoles))
+    std::erase_if(bindings, [&](const auto& bound) {
+      const auto joint = numberIn(bound.first, kTangents);
+      return joint && isLeg(*pole, *joint);
+    });
+}
+
+}  // namespace
+
 void freeRivals(std::map<std::string, BoundNumber>& bindings, const std::string& place) {
+  freeTangents(bindings, place);
   constexpr std::string_view kList = "/surface/blades/";
   const std::size_t list = place.find(kList);
   if (list == std::string::npos) return;
@@ -56,6 +98,31 @@ Result<void> holdEnds(Design& design, const Design& before) {
     }
   }
   return {};
+}
+
+void holdTangents(Design& design, const Design& before) {
+  const auto loftOf = [](auto& source) {
+    return source.surface ? std::get_if<SectionsSurface>(&source.surface->shape) : nullptr;
+  };
+  for (std::size_t s = 0; s < design.sources.size() && s < before.sources.size(); ++s) {
+    auto* now = loftOf(design.sources[s]);
+    const auto* then = loftOf(before.sources[s]);
+    if (!now || !then || now->sections.size() != then->sections.size()) continue;
+    for (std::size_t i = 0; i < now->sections.size(); ++i) {
+      SectionCurve& curve = now->sections[i];
+      const SectionCurve& old = then->sections[i];
+      if (curve == old || curve.kind != old.kind || curve.points.size() != old.points.size()) continue;
+      for (std::size_t joint = 0; joint < jointCount(curve); ++joint) {
+        const std::size_t pole = poleOfJoint(joint);
+        const auto bound = design.bindings.find("/sources/" + std::to_string(s) + "/surface/sections/" +
+                                                std::to_string(i) + "/tangents_deg/" + std::to_string(joint));
+        if (bound == design.bindings.end() || curve.points[pole] == old.points[pole]) continue;
+        const auto was = tangentAt(old, joint, bound->second.value);
+        if (was && std::abs(*was - bound->second.value) <= kTangentMiss)
+          curve = withTangent(std::move(curve), joint, bound->second.value);
+      }
+    }
+  }
 }
 
 }  // namespace bw

@@ -161,6 +161,22 @@ void writeFaceChoice(const FaceChoice& face, json& object) {
   }
 }
 
+/// Three numbers for a direction; of length one, unless some are told by expressions, which stand for them as
+/// they are. Nothing where they lead nowhere, or are none.
+std::optional<Eigen::Vector3d> readWay(ObjectReader& reader, const char* key, const char* remedy) {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  const json& value = *reader.member(key);
+  reader.vector3(key, v, -1e12, 1e12);
+  const double length = v.norm();
+  if (length < 1e-9) {
+    reader.complain(key, reader.path() + "." + key + " has length zero; " + remedy, length, 1e-9);
+    return {};
+  }
+  const bool told =
+      value.is_array() && std::ranges::any_of(value, [](const json& entry) { return entry.is_string(); });
+  return told ? v : Eigen::Vector3d(v / length);
+}
+
 void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& direction) {
   const json* value = reader.member("direction");
   if (!value) return;
@@ -178,15 +194,7 @@ void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& directi
     }
     return;
   }
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();
-  reader.digits3("direction", v, -1e12, 1e12);
-  const double length = v.norm();
-  if (length < 1e-9) {
-    reader.complain("direction", reader.path() + ".direction has length zero; give the way the blade travels",
-                    length, 1e-9);
-    return;
-  }
-  direction = v / length;
+  if (const auto way = readWay(reader, "direction", "give the way the blade travels")) direction = way;
 }
 
 void readStations(ObjectReader& reader, SectionRequest& sections) {
@@ -247,7 +255,7 @@ void readCutLength(ObjectReader& reader, std::optional<double>& length) {
 /// The key "up".
 void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
   Eigen::Vector3d v = up;
-  reader.digits3("up", v, -1e12, 1e12);
+  reader.vector3("up", v, -1e12, 1e12);
   const double length = v.norm();
   if (length < 1e-9)
     reader.complain("up", reader.path() + ".up has length zero; give the way up in the file's frame", length,

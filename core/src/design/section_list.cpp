@@ -53,6 +53,10 @@ std::string pointsOf(std::size_t source, std::size_t section, Kind kind) {
   return sectionsOf(source) + std::to_string(section) + "/" + kSectionKinds[int(kind)] + "/";
 }
 
+std::string tangentsOf(std::size_t source, std::size_t section) {
+  return sectionsOf(source) + std::to_string(section) + "/tangents_deg/";
+}
+
 SectionsSurface& loftOf(Design& design, std::size_t source) {
   return std::get<SectionsSurface>(design.sources[source].surface->shape);
 }
@@ -208,6 +212,7 @@ Result<Design> withPointAfter(const Design& design, std::size_t source, std::siz
         std::min(cubics.size() == count ? point / kCubic : 0, cubics.size() / kCubic - 1);
     const std::size_t from = kCubic * cubic;
     exchange(changed, source, section, {from + 1, 2, 5}, halves(&cubics[from]));
+    renumber(changed, tangentsOf(source, section), {cubic + 1, 0, 1});
     if (added) *added = from + kCubic;
     return changed;
   }
@@ -237,6 +242,7 @@ Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_
   }
   if (point == 0 || point + 1 == count) {
     exchange(changed, source, section, {point == 0 ? 0 : count - kCubic, kCubic, 0}, {});
+    renumber(changed, tangentsOf(source, section), {point == 0 ? 0 : cubics, 1, 0});
     return changed;
   }
   const std::size_t joint = kCubic * std::clamp<std::size_t>((point + 1) / kCubic, 1, cubics - 1);
@@ -245,6 +251,7 @@ Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_
   const Eigen::Vector2d first = p[joint - 3] + 2 * (p[joint - 2] - p[joint - 3]);
   const Eigen::Vector2d last = p[joint + 3] + 2 * (p[joint + 2] - p[joint + 3]);
   exchange(changed, source, section, {joint - 2, 5, 2}, {first, last});
+  renumber(changed, tangentsOf(source, section), {joint / kCubic, 1, 0});
   return changed;
 }
 

@@ -6,6 +6,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/shape/blade_ends.h"
+#include "bw/core/shape/section_tangents.h"
 #include "design/design_keys.h"
 
 namespace bw::detail {
@@ -114,6 +115,39 @@ void readFormula(ObjectReader& reader, FormulaSurface& surface) {
     if (expression->uses(i + 2)) surface.numbers.push_back(numbers[i]);
 }
 
+/// Turns the legs at joints until the tangents are those told: once all poles are read.
+void readTangents(ObjectReader& reader, const json& points, const json& list, SectionCurve& section) {
+  constexpr const char* kKey = "tangents_deg";
+  const std::size_t joints = jointCount(section);
+  if (joints == 0)
+    return reader.complain(kKey, reader.path() +
+                                     ".tangents_deg is for cubics alone: a bezier with 4 poles, and 3 more "
+                                     "for each further cubic");
+  if (!list.is_array() || list.size() != joints)
+    return reader.complain(kKey, reader.path() + ".tangents_deg must be a list of " + std::to_string(joints) +
+                                     " angles, one for each end of a cubic, or null in place of one that "
+                                     "follows the poles");
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    if (list[joint].is_null()) continue;
+    const std::string name = entryName(kKey, joint);
+    double degrees = 0;
+    if (!reader.number(kKey, name, list[joint], degrees, -360, 360)) return;
+    const std::size_t pole = poleOfJoint(joint);
+    for (const std::size_t leg : {pole - 1, pole + 1})
+      if (leg < points.size() &&
+          std::ranges::any_of(points[leg], [](const json& x) { return x.is_string(); }))
+        return reader.complain(kKey, reader.path() + "." + name + " turns the poles beside " +
+                                         entryName("bezier", pole) +
+                                         ", which cannot be told by expressions then; write the numbers of " +
+                                         entryName("bezier", leg));
+    if (!tangentAt(section, joint))
+      return reader.complain(kKey, reader.path() + "." + name + ": the poles beside " +
+                                       entryName("bezier", pole) +
+                                       " lie on it, so that it has no tangent; move them away from it");
+    section = withTangent(std::move(section), joint, degrees);
+  }
+}
+
 void readSection(ObjectReader& reader, SectionCurve& section) {
   reader.need("y", reader.path() + " needs the key y: its place along the travel, mm");
   reader.number("y", section.y, -kFarthest, kFarthest);
@@ -144,6 +178,7 @@ void readSection(ObjectReader& reader, SectionCurve& section) {
   section.points.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!readPair(reader, key, entryName(key, i), points[i], "[x, z] in mm", section.points[i])) return;
+  if (const json* tangents = reader.given("tangents_deg")) readTangents(reader, points, *tangents, section);
 }
 
 void readSections(ObjectReader& reader, SectionsSurface& surface) {
@@ -274,13 +309,36 @@ void write(const FormulaSurface& surface, json& object, const IsBound&) {
   object["formula"] = surface.formula;
 }
 
-void write(const SectionsSurface& surface, json& object, const IsBound&) {
+/// The tangents that stand for expressions, null for others; null where none does.
+json tangentsJson(const SectionCurve& section, const std::string& place, const IsBound& isBound) {
+  const std::string list = place + "/tangents_deg/";
+  if (!isBound(list)) return {};
+  json tangents = json::array();
+  bool any = false;
+  for (std::size_t joint = 0; joint < jointCount(section); ++joint) {
+    tangents.push_back(nullptr);
+    const std::string own = list + std::to_string(joint);
+    const BoundNumber* bound = isBound(own);
+    // What is found for 1 may be that of 10.
+    for (char digit = '0'; bound && digit <= '9'; ++digit)
+      if (isBound(own + digit) == bound) bound = nullptr;
+    const std::optional<double> now = bound ? tangentAt(section, joint, bound->value) : std::nullopt;
+    if (!now || !(std::abs(*now - bound->value) <= kTangentMiss)) continue;
+    tangents.back() = bound->value;
+    any = true;
+  }
+  return any ? tangents : json();
+}
+
+void write(const SectionsSurface& surface, json& object, const IsBound& isBound) {
   object["loft"] = kLoftSpacings[int(surface.loft)];
   json list = json::array();
   for (const SectionCurve& section : surface.sections) {
     json points = json::array();
     for (const Eigen::Vector2d& point : section.points) points.push_back(pairJson(point));
+    json tangents = tangentsJson(section, "/sections/" + std::to_string(list.size()), isBound);
     list.push_back({{"y", section.y}, {kSectionKinds[int(section.kind)], std::move(points)}});
+    if (!tangents.is_null()) list.back()["tangents_deg"] = std::move(tangents);
   }
   object["sections"] = std::move(list);
 }

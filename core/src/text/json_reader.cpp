@@ -317,12 +317,6 @@ void ObjectReader::vector3(const std::string& key, Eigen::Vector3d& out, double 
   out = result;
 }
 
-void ObjectReader::digits3(const std::string& key, Eigen::Vector3d& out, double min, double max) {
-  ExpressionScope* const scope = std::exchange(scope_, nullptr);
-  vector3(key, out, min, max);
-  scope_ = scope;
-}
-
 Result<void> ObjectReader::finish() {
   if (!error_ && object_.is_object()) {
     for (const auto& item : object_.items()) {

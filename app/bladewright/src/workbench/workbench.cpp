@@ -363,6 +363,8 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
     if (bound) {
       after.bindings[place] = *bound;
       freeRivals(after.bindings, place);
+    } else if (place.ends_with('/')) {
+      std::erase_if(after.bindings, [&](const auto& told) { return told.first.starts_with(place); });
     } else {
       after.bindings.erase(place);
     }

@@ -242,7 +242,7 @@ class Workbench : public QObject {
   void editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change, int mergeId = -1,
                    bool live = false);
   /// Runs `edit`, whose step then also has the number at a place of the file, a JSON pointer, stand for an
-  /// expression, or free of it.
+  /// expression, or free of it; where the pointer ends with a slash, all numbers below are freed.
   void editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                  const std::function<void()>& edit);
   /// What the picture leaves out, and what no edit changes: saved with the design. An edit that would change

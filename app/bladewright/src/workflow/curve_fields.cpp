@@ -8,6 +8,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/surface_curves.h"
+#include "bw/core/shape/section_tangents.h"
 #include "workflow/section_edits.h"
 #include "workflow/surface_fields.h"
 
@@ -17,38 +18,6 @@ namespace {
 
 constexpr std::size_t kMostFields = 120;  // more numbers are for the file
 constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
-
-/// Where cubics begin, end and meet: every third pole. Other curves have no tangent of their own to be told.
-bool hasTangent(const SectionCurve& curve, std::size_t pole) {
-  return curve.kind == SectionCurve::Kind::bezier && curve.points.size() >= 4 && pole % 3 == 0 &&
-         pole < curve.points.size();
-}
-
-/// The legs of a joint: the poles beside it, of which an end has one.
-std::vector<std::size_t> legsOf(const SectionCurve& curve, std::size_t joint) {
-  std::vector<std::size_t> legs;
-  if (joint > 0) legs.push_back(joint - 1);
-  if (joint + 1 < curve.points.size()) legs.push_back(joint + 1);
-  return legs;
-}
-
-/// The tangent at a joint, against x; nothing where its legs have no length.
-std::optional<double> tangentAt(const SectionCurve& curve, std::size_t joint) {
-  const std::vector<std::size_t> legs = legsOf(curve, joint);
-  const std::size_t from = legs.front() < joint ? legs.front() : joint, to = std::max(joint, legs.back());
-  const Eigen::Vector2d along = curve.points[to] - curve.points[from];
-  if (along.norm() == 0) return {};
-  return std::atan2(along.y(), along.x());
-}
-
-/// Turns the legs of a joint about it; each keeps its length.
-void turnTangent(SectionCurve& curve, std::size_t joint, double angle) {
-  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), at = curve.points[joint];
-  for (const std::size_t leg : legsOf(curve, joint)) {
-    const double length = (curve.points[leg] - at).norm();
-    curve.points[leg] = at + (leg > joint ? length : -length) * along;
-  }
-}
 
 }  // namespace
 
@@ -92,32 +61,39 @@ void SurfaceFields::addRow(FormColumn* column, int row, const PolesSurface& surf
 }
 
 void SurfaceFields::addTangents(FormColumn* column, std::size_t section, const SectionCurve& curve) {
-  bool first = true;
-  for (std::size_t pole = 0; pole < curve.points.size(); ++pole) {
-    if (!hasTangent(curve, pole)) continue;
-    if (std::exchange(first, false)) column->addHeading(tr("Tangents"));
-    const QString name = tr("tangent at pole %1 of %2").arg(pole + 1).arg(curveTitle(bench_, section));
+  for (std::size_t joint = 0; joint < jointCount(curve); ++joint) {
+    if (joint == 0) column->addHeading(tr("Tangents"));
+    const std::size_t pole = poleOfJoint(joint) + 1;
+    const QString name = tr("tangent at pole %1 of %2").arg(pole).arg(curveTitle(bench_, section));
     auto* field = new NumberField({-360, 360, 2, 1, QString(QChar(0xb0))});
     field->setAccessibleName(name);
     column->add(
-        tr("At pole %1").arg(pole + 1), field,
+        tr("At pole %1").arg(pole), field,
         tr("Angle of the curve against x. It follows from the poles: the legs turn about the pole and "
-           "keep their lengths, and expressions of their numbers are free then"));
-    connect(field, &NumberField::edited, this, [this, section, pole, name](double degrees) {
+           "keep their lengths. An expression here frees those of the legs"));
+    connect(field, &NumberField::edited, this, [this, section, joint, name](double degrees) {
       edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) {
-        turnTangent(std::get<SectionsSurface>(surface.shape).sections[section], pole, degrees * kDegree);
+        SectionCurve& own = std::get<SectionsSurface>(surface.shape).sections[section];
+        own = withTangent(std::move(own), joint, degrees);
       });
     });
-    tangents_.push_back({field, section, pole});
+    const NumberPlace place = placeInSurface(
+        bench_, "/sections/" + std::to_string(section) + "/tangents_deg/" + std::to_string(joint));
+    bindNumber(bench_, field, place);
+    tangents_.push_back({field, section, joint, place});
   }
 }
 
 void SurfaceFields::showTangents(const DesignedSurface& surface) {
   const auto* loft = std::get_if<SectionsSurface>(&surface.shape);
+  const auto& bindings = bench_.design().bindings;
   for (const Tangent& tangent : tangents_) {
-    const std::optional<double> angle = tangentAt(loft->sections[tangent.section], tangent.pole);
+    // Of its turns the one that an expression came to.
+    const auto bound = bindings.find(tangent.place());
+    const std::optional<double> angle = tangentAt(loft->sections[tangent.section], tangent.joint,
+                                                  bound == bindings.end() ? 0 : bound->second.value);
     tangent.field->setEnabled(angle.has_value());
-    if (angle) tangent.field->show(*angle / kDegree);
+    if (angle) tangent.field->show(asBound(bench_, tangent.place, *angle, kTangentMiss));
   }
 }
 

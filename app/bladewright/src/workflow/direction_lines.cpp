@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include "controls/told_list_field.h"
+
 namespace bw::app {
 
 namespace {
@@ -13,19 +15,31 @@ constexpr double kNoDirection = 1e-6;  // shorter vectors lead nowhere
 
 }  // namespace
 
-DirectionLines::DirectionLines(FormColumn* column, const Words& words, std::function<Value()> value,
+DirectionLines::DirectionLines(Workbench& bench, FormColumn* column, const Words& words,
+                               std::function<Value()> value, NumberPlace place,
                                std::function<Eigen::Vector3d()> found, std::function<void(const Value&)> edit,
                                QObject* parent)
-    : QObject(parent), axes_(words.automatic ? 1 : 0), value_(std::move(value)) {
+    : QObject(parent),
+      bench_(bench),
+      place_(std::move(place)),
+      axes_(words.automatic ? 1 : 0),
+      value_(std::move(value)) {
   choice_ = column->add(words.title, new ChoiceField, words.tip);
   if (words.automatic) choice_->addItem(tr("Automatic"));
   choice_->addItems({"X", "Y", "Z", tr("Vector")});
   connect(choice_, &QComboBox::activated, this, [this, found, edit](int index) {
     vector_ = index == axes_ + 3;
-    if (index < axes_)
-      edit({});
+    const auto take = [&] {
+      if (index < axes_)
+        edit({});
+      else
+        edit(vector_ ? value_().value_or(found()) : Eigen::Vector3d(Eigen::Vector3d::Unit(index - axes_)));
+    };
+    // An axis, or the best way, stands for no expressions, even where they come to the same.
+    if (const std::string own = place_(); !vector_ && !own.empty())
+      bench_.editBound(own + "/", {}, take);
     else
-      edit(vector_ ? value_().value_or(found()) : Eigen::Vector3d(Eigen::Vector3d::Unit(index - axes_)));
+      take();
     refresh();  // the same direction may be an axis and a vector
   });
   for (int i = 0; i < 3; ++i) {
@@ -41,15 +55,28 @@ DirectionLines::DirectionLines(FormColumn* column, const Words& words, std::func
       return with(number).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
     });
     connect(field, &NumberField::edited, this, [with, edit](double number) { edit(with(number)); });
+    bindNumber(bench_, field, [this, i] {
+      const std::string own = place_();
+      return own.empty() ? own : own + "/" + std::to_string(i);
+    });
   }
 }
 
 int DirectionLines::chosen() const {
   const Value value = value_();
   if (!value) return 0;
-  for (int i = 0; i < 3 && !vector_; ++i)
+  for (int i = 0; i < 3 && !vector_ && !bound(*value); ++i)
     if ((*value - Eigen::Vector3d::Unit(i)).norm() < 1e-12) return axes_ + i;
   return axes_ + 3;
+}
+
+bool DirectionLines::bound(const Eigen::Vector3d& value) const {
+  const std::string own = place_();
+  for (int i = 0; i < 3 && !own.empty(); ++i) {
+    const auto told = bench_.design().bindings.find(own + "/" + std::to_string(i));
+    if (told != bench_.design().bindings.end() && standsFor(value[i], told->second)) return true;
+  }
+  return false;
 }
 
 void DirectionLines::refresh() {
@@ -72,10 +99,10 @@ void DirectionLines::setVisible(bool visible) {
 DirectionLines* makeCutDirection(Workbench& bench, FormColumn* column, QObject* parent) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("DirectionLines", text); };
   return new DirectionLines(
-      column,
+      bench, column,
       {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
        tr("Direction %1")},
-      [&bench] { return bench.cut().direction; },
+      [&bench] { return bench.cut().direction; }, placeInCut(bench, "/direction"),
       [&bench] {
         const auto* cut = bench.shownCut();
         return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());

@@ -13,6 +13,7 @@
 #include "controls/fields.h"
 #include "controls/number_field.h"
 #include "workbench/workbench.h"
+#include "workflow/bound_number.h"
 
 namespace bw::app {
 
@@ -29,17 +30,21 @@ class DirectionLines : public QObject {
     bool automatic = true;
   };
 
-  /// `value` is what the design holds, `found` what three numbers begin with where that is nothing; `edit`
-  /// puts in another.
-  DirectionLines(FormColumn* column, const Words& words, std::function<Value()> value,
-                 std::function<Eigen::Vector3d()> found, std::function<void(const Value&)> edit,
-                 QObject* parent);
+  /// `value` is what the design holds, `place` where its numbers stand in the file; `found` is what three
+  /// numbers begin with where it holds nothing; `edit` puts in another.
+  DirectionLines(Workbench& bench, FormColumn* column, const Words& words, std::function<Value()> value,
+                 NumberPlace place, std::function<Eigen::Vector3d()> found,
+                 std::function<void(const Value&)> edit, QObject* parent);
   void refresh();
   void setVisible(bool visible);
 
  private:
   int chosen() const;
+  /// Whether a number of it stands for an expression.
+  bool bound(const Eigen::Vector3d& value) const;
 
+  Workbench& bench_;
+  NumberPlace place_;
   int axes_;  ///< item of the first axis
   bool visible_ = true;
   std::function<Value()> value_;

@@ -112,10 +112,10 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
                       [on](Design& design) { design.process.weight = on; });
   });
   up_ = new DirectionLines(
-      column,
+      bench_, column,
       {tr("Up"), tr("The way up in the frame of the file: weight pulls against it"), tr("Up %1"), false},
       [this] { return DirectionLines::Value(bench_.design().process.up); },
-      [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
+      [] { return std::string("/process/up"); }, [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
       [this](const DirectionLines::Value& up) {
         bench_.editDesign(tr("Turn up"), [&](Design& design) { design.process.up = *up; });
       },

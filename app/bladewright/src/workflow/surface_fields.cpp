@@ -562,6 +562,7 @@ void SurfaceFields::edit(const QString& text, const std::function<void(DesignedS
     bench_.tell(Topic::other, ok.error());
     return refresh();
   }
+  holdTangents(changed, bench_.design());
   take(text, changed);
 }
 

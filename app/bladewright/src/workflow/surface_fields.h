@@ -115,7 +115,8 @@ class SurfaceFields : public QWidget {
   /// turns the legs beside it where it is typed.
   struct Tangent {
     NumberField* field;
-    std::size_t section, pole;
+    std::size_t section, joint;
+    NumberPlace place;
   };
   void showTangents(const DesignedSurface& surface);
   Workbench& bench_;

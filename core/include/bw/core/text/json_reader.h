@@ -57,9 +57,6 @@ class ObjectReader {
   /// One of `words`; the index goes to `out`.
   void word(const std::string& key, const std::vector<std::string>& words, int& out);
   void vector3(const std::string& key, Eigen::Vector3d& out, double min, double max);
-  /// The same where what is read is no longer the number that was written, so that no expression can stand
-  /// for it: of a direction.
-  void digits3(const std::string& key, Eigen::Vector3d& out, double min, double max);
 
   /// The version in `key`, needed if `fallback` is 0. One above `newest` is the error to return before
   /// anything else is read: what a newer program writes has other keys and other meanings.
