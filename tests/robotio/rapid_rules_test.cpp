@@ -154,6 +154,7 @@ std::vector<Mutation> mutations() {
       change("rapid-rule-14", kLeft, "        WaitTime 8;\r\n", ""),
       change("rapid-rule-14", kLeft, "WaitTime 8", "WaitTime -8"),
       change("rapid-rule-14", kLeft, "        Reset doBladeHeat;\r\n", ""),
+      change("rapid-rule-14", kLeft, "        Set doBladeHeat;\r\n", ""),
       change("rapid-rule-14", kLeft, "        SyncMoveOff syncOff;\r\n        Reset doBladeHeat;\r\n",
              "        Reset doBladeHeat;\r\n        SyncMoveOff syncOff;\r\n"),
       change("rapid-rule-14", kRight, "        SyncMoveOff syncOff;\r\n",

@@ -151,7 +151,11 @@ class StepChecker {
 
   /// Heat on, then a dwell, then the block, then heat off.
   void checkHeat() {
-    const Step* on = nullptr;
+    const Step *on = nullptr, *any = nullptr;
+    for (const Step& step : task_.steps)
+      if (step.statement->kind == StatementKind::setSignal ||
+          step.statement->kind == StatementKind::resetSignal)
+        any = &step;
     bool dwelt = false;
     for (const Step& step : task_.steps) {
       const Statement& s = *step.statement;
@@ -164,6 +168,10 @@ class StepChecker {
         dwelt = true;
       } else if (s.kind == StatementKind::syncMoveOn && on && !dwelt) {
         breaches_.rule(14, *on, "no WaitTime lets the blade heat up before the synchronised block");
+      } else if (s.kind == StatementKind::syncMoveOn && any && !on) {
+        breaches_.rule(14, step,
+                       "the heat " + quoted(any->statement->name) +
+                           " is not on when the synchronised block begins: a cold blade does not cut");
       }
     }
     if (on) breaches_.rule(14, *on, "the heat " + quoted(on->statement->name) + " is never switched off");
