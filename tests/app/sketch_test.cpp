@@ -382,6 +382,20 @@ TEST(Sketch, OfANearlyStraightWallLiesWhereItsEvaluationDoes) {
   EXPECT_LE(off, looked / 100);
 }
 
+TEST(Sketch, KeepsWhatIsKnownOfAWallThatIsPulledFar) {
+  // Its rows are nearly straight on the way, and have ends, tangents and lengths held. One that cannot be
+  // followed is found anew, in many times the time, and nobody knows then what else its blades could rest in.
+  const Design wall = test::sampleWall(3, 1, 17);
+  Sketcher sketcher(evaluated(wall));
+  for (int step = 1; step <= 24; ++step) {
+    const double up = -10 * std::sin(0.13 * step);
+    const std::optional<Sketch> sketch = sketcher.draw(test::pulledWall(wall, up), {});
+    ASSERT_TRUE(sketch) << up;
+    for (const std::vector<CutSketch>& block : sketch->blocks)
+      EXPECT_EQ(std::ranges::count(block[0].look->rest, Rest::unknown), 0) << up << " " << block[0].id;
+  }
+}
+
 TEST(Sketch, TellsWhatIsLost) {
   const Design design = designed("bump");
   Sketcher sketcher(evaluated(design));

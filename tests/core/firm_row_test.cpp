@@ -20,6 +20,7 @@
 #include "plane_sections.h"
 #include "row_settings.h"
 #include "sweep/firm_row.h"
+#include "sweep/row_station.h"
 
 namespace bw {
 namespace {
@@ -113,6 +114,31 @@ TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {
   ASSERT_TRUE(leastBarrier(live->sweep()));
   EXPECT_GE(*leastBarrier(live->sweep()), settings.barrier);
   EXPECT_LE(farthest(live->sweep()), settings.tolerance);
+}
+
+TEST(FirmRow, SlopesOfAStationAreThoseOfItsSection) {
+  test::RowSettings settings = flat(760, 0);
+  settings.fitEndpoints = settings.fitTangents = true;
+  settings.fitLength = FitOptions::Length::exact;
+  Sweep sweep = rowOf(settings, kTwoWays);
+  const RunContext context;
+  const sweep::Row row(sweep, context);
+  std::optional<sweep::Station> station = row.following(4);
+  ASSERT_TRUE(station && station->good);
+  // Its grips stay where its slopes were found, its section does not.
+  PlanarCurve& section = sweep.fits[4].target;
+  section = section.transformed(2e-3, 1.002, {0.3, 0.7});
+  sweep::Station anew = *station;
+  row.take(*station, 4);
+  row.look(*station, false);
+  row.look(*station);
+  row.take(anew, 4);
+  row.look(anew);
+  ASSERT_TRUE(station->good && anew.good);
+  EXPECT_GT(anew.byDemands.row(2).norm(), 1e-3);
+  EXPECT_GT(anew.byDemands.row(4).norm(), 1e-2);
+  EXPECT_LT((station->byDemands - anew.byDemands).norm(), 1e-3);
+  EXPECT_LT((station->byOwn - anew.byOwn).norm(), 1e-3);
 }
 
 TEST(FirmRow, NoBladeStandsWorseThanInTheRowBefore) {

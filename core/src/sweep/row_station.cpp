@@ -163,7 +163,7 @@ void Row::watch(Station& station) const {
     if (watched || (i > 0 && !isRound())) continue;
     const double near = sweep_.request.margin + kWatched;
     watched = marginAt(station, i, near).value < near;
-    if (watched) station.slopesAt.reset();
+    if (watched) station.sloped = false;
   }
   look(station);
 }
@@ -348,10 +348,9 @@ void Row::look(Station& station, bool slopes) const {
   const double tolerance = sweep_.request.tolerance;
   const auto numbers = Vector6::Map(station.numbers);
   slopes = slopes || !station.slopesAt;
-  const auto isOf = [&](const std::optional<Vector6>& looked) { return looked && *looked == numbers; };
-  if (isOf(station.lookedAt) && (!slopes || isOf(station.slopesAt))) return;
+  if (station.lookedAt && *station.lookedAt == numbers && (!slopes || station.sloped)) return;
   station.lookedAt = numbers;
-  station.good = false;
+  station.good = station.sloped = false;
   const Result<Elastica> half = about(station);
   if (!half) return;
   const double middle = 0.5 * length_;
@@ -449,6 +448,7 @@ void Row::look(Station& station, bool slopes) const {
   if (slopes) {
     unsafe(station, by ? &*by : nullptr);
     station.slopesAt = numbers;
+    station.sloped = true;
     station.unsafeAt = station.own.tail<kStationMargins>();
   } else {
     station.own.tail<kStationMargins>() =

@@ -51,7 +51,8 @@ struct Station {
   double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
 
   std::optional<Vector6> lookedAt = std::nullopt;  ///< the numbers, where they were looked at
-  std::optional<Vector6> slopesAt = std::nullopt;  ///< those that the derivatives are of
+  bool sloped = false;                             ///< whether the derivatives are of that look
+  std::optional<Vector6> slopesAt = std::nullopt;  ///< the numbers that they are of
   Eigen::Matrix<double, kStationMargins, 1> unsafeAt = Eigen::Matrix<double, kStationMargins, 1>::Zero();
   ///< what the margins cost there
   bool good = false;  ///< of the numbers looked at; the rest holds if it is
