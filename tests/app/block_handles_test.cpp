@@ -103,6 +103,67 @@ TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
   EXPECT_EQ(handles().points.size(), poles);
 }
 
+TEST_F(BlockHandlesTest, AFaceSnapsToOtherBlocksAndToTheEndsOfTheSurface) {
+  openBlock("ripple-along");
+  const Box was = placementOf(bench())->box();
+  // A block beside it that is lower, and ends elsewhere.
+  bench().editDesign("Prepare", [&](Design& design) {
+    StockBlock other{"beside", bw::placementOf(was)};
+    other.placement->origin.x() += was.size.x() + 100;
+    other.placement->size.z() = was.size.z() - 57.3;
+    design.stock.push_back(other);
+    Cut cut = design.cuts.front();
+    cut.id = "beside";
+    cut.block = other.id;
+    design.cuts.push_back(cut);
+  });
+  ASSERT_TRUE(settle());
+  bench().select({Selection::Kind::block, -1, bench().design().stock[0].id, bench().design().cuts[0].id});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  if (!window().surfaceHandles().meeting()) window().commands()["handles.meet"]->trigger();
+  ASSERT_TRUE(window().surfaceHandles().meeting());
+  const double top = was.size.z() - 57.3;
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::top, place(BlockPart::top) - 56 * was.frame.normal));
+  EXPECT_NEAR(box().size.z(), top, 1e-9) << "not the grid";
+  EXPECT_NE(handles().text.find("Snapped to the top of beside"), std::string::npos) << handles().text;
+  picture("block-handles-snapped");
+  release();
+  EXPECT_NEAR(box().size.z(), top, 1e-9);
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  // Up to the other block.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::right, place(BlockPart::right) + 99 * was.frame.x));
+  EXPECT_NEAR(box().size.x(), was.size.x() + 100, 1e-9);
+  EXPECT_NE(handles().text.find("Snapped to the left side of beside"), std::string::npos) << handles().text;
+  release();
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  // Fine steps, and a hand that wants none of it, are free.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  window().commands()["handles.meet"]->trigger();
+  ASSERT_FALSE(window().surfaceHandles().meeting());
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::right, place(BlockPart::right) + 98 * was.frame.x));
+  EXPECT_EQ(handles().text.find("Snapped"), std::string::npos) << handles().text;
+  release();
+  bench().document().undoStack().undo();
+  window().commands()["handles.meet"]->trigger();
+  ASSERT_TRUE(settle());
+  // The ends of the surface, along the axes of the block.
+  const TriangleMesh& mesh = *bench().shownCut()->targetMesh.value;
+  double highest = -1e300;
+  for (const Eigen::Vector3d& point : mesh.points) highest = std::max(highest, was.frame.toLocal(point).z());
+  ASSERT_LT(highest, was.size.z() - 10);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::top, place(BlockPart::top) - (was.size.z() - highest - 0.7) * was.frame.normal));
+  EXPECT_NEAR(box().size.z(), highest, 1e-6);
+  EXPECT_NE(handles().text.find("Snapped to the top of the surface"), std::string::npos) << handles().text;
+  press(Qt::Key_Escape);
+  release();
+  EXPECT_EQ(box().size.z(), was.size.z());
+}
+
 TEST_F(BlockHandlesTest, NumbersAreTypedAndKeysCount) {
   openBlock("ripple-along");
   const Design before = bench().design();

@@ -168,7 +168,44 @@ QString BlockHandles::textOf(const Standing& standing, BlockPart part) const {
   if (!pull_ || pull_->part != part) return text;
   const double by =
       isFace(part) ? value - valueOf(pull_->was, part) : wrapped(value - valueOf(pull_->was, part));
-  return text + (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
+  text += (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
+  return pull_->snap ? text + "\n" + tr("Snapped to %1").arg(pull_->snap->words) : text;
+}
+
+SnapThings BlockHandles::snapThings(const Standing& standing) const {
+  SnapThings things;
+  const Design& design = bench_.design();
+  for (const StockBlock& block : design.stock)
+    if (block.id != bench_.block().id && block.placement)
+      things.blocks.push_back({QString::fromStdString(block.id), block.placement->box()});
+  const auto shown = bench_.shown();
+  if (!shown) return things;
+  for (const Cut& cut : design.cuts) {
+    const pipeline::CutEvaluation* own = shown->find(cut.id);
+    if (cut.block != bench_.block().id || !own || !own->targetMesh.value) continue;
+    Bounds bounds;
+    for (const Eigen::Vector3d& point : own->targetMesh.value->points)
+      bounds.add(standing.box.frame.toLocal(point));
+    if (!bounds.valid()) continue;
+    Box box{standing.box.frame, bounds.size()};
+    const Frame& frame = standing.box.frame;
+    box.frame.origin += bounds.min.x() * frame.x + bounds.min.y() * frame.y + bounds.min.z() * frame.normal;
+    things.blocks.push_back(
+        {design.sources.size() > 1 ? QString::fromStdString(cut.source) : tr("the surface"), box});
+  }
+  return things;
+}
+
+std::optional<Snap> BlockHandles::snapOf(BlockPart part, double by) const {
+  const Standing& was = pull_->was;
+  const int axis = axisOf(part);
+  const SnapWay way{placeOf(was, part), sideOf(part) * axisIn(was.box.frame, axis),
+                    axisIn(was.box.frame, axis == 2 ? 0 : 2), axis == 2};
+  std::optional<Snap> snap =
+      snapTo(pull_->things, way, by, kMeetingReach * mmOfPixel(*view_, way.from, way.way));
+  // What the size does not let it come to is nothing to snap to.
+  const double value = snap ? valueOf(was, part) + snap->by : 0;
+  return snap && within(was, part, value) == value ? snap : std::nullopt;
 }
 
 QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
@@ -224,6 +261,11 @@ void BlockHandles::applyTo(scene::Style& style) const {
     for (const auto& [a, b] : std::initializer_list<std::pair<int, int>>{
              {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}})
       handles.curves.push_back({corner[std::size_t(a)], corner[std::size_t(b)]});
+    if (pull_->snap) {
+      handles.curves.push_back({pull_->snap->line[0], pull_->snap->line[1]});
+      if (scene::Polyline mark = meetingMark(*view_, placeOf(*now, pull_->part)); !mark.empty())
+        handles.curves.push_back(std::move(mark));
+    }
   }
   if (chosen_ && int(*chosen_) <= last) handles.chosen.push_back(first + int(*chosen_));
   const std::optional<BlockPart> lit =
@@ -264,6 +306,7 @@ void BlockHandles::press(int handle, const QPointF& position) {
     return emit told(why);
   }
   begin(*part, true, now);
+  if (isFace(*part)) pull_->things = snapThings(now);
   pull_->began = (isFace(*part) ? alongWay(*view_, position, placeOf(now, *part),
                                            sideOf(*part) * axisIn(now.box.frame, axisOf(*part)))
                                 : angleIn(*view_, position, planeOf(now, *part)))
@@ -288,8 +331,14 @@ void BlockHandles::move(int handle, const QPointF& position, Qt::KeyboardModifie
     by = wrapped(*at - pull_->began);
   }
   // The number, not the way to it, is a round one.
-  const double value = std::round((valueOf(was, part) + by * (isFace(part) ? share : 1)) / step) * step;
-  if (const double next = within(was, part, value); next != pull_->value) pull(next, true);
+  double value = std::round((valueOf(was, part) + by * (isFace(part) ? share : 1)) / step) * step;
+  const std::optional<Snap> before = std::exchange(pull_->snap, std::nullopt);
+  if (isFace(part) && surface_.meeting() && share == 1) pull_->snap = snapOf(part, by);
+  if (pull_->snap) value = withoutNoise(valueOf(was, part) + pull_->snap->by);
+  if (const double next = within(was, part, value); next != pull_->value)
+    pull(next, true);
+  else if (before.has_value() != pull_->snap.has_value())
+    emit changed();
 }
 
 void BlockHandles::pull(double value, bool live) {

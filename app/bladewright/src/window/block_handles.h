@@ -17,6 +17,7 @@
 #include "bw/view/scene_view.h"
 #include "controls/hand_pace.h"
 #include "window/handle_field.h"
+#include "window/handle_snap.h"
 #include "window/surface_handles.h"
 #include "workbench/workbench.h"
 
@@ -71,6 +72,8 @@ class BlockHandles : public QObject {
     double value = 0;  ///< of the part now
     int mergeId = -1;
     bool moved = false;
+    SnapThings things = {};                   ///< what a face may be brought in line with
+    std::optional<Snap> snap = std::nullopt;  ///< what it lies in line with now
   };
 
   std::optional<Standing> standing() const;
@@ -84,6 +87,10 @@ class BlockHandles : public QObject {
   HandSteps stepsOf(BlockPart part) const;
   QString nameOf(BlockPart part) const;
   QString textOf(const Standing& standing, BlockPart part) const;
+  /// The other blocks, and how far the surfaces of the cuts reach along the axes of this one.
+  SnapThings snapThings(const Standing& standing) const;
+  /// What a face that the hand has moved by so many mm along its normal is brought in line with.
+  std::optional<Snap> snapOf(BlockPart part, double by) const;
   /// Why a part does not move; empty where it does.
   QString whyFixed(const Standing& standing, BlockPart part) const;
   std::optional<BlockPart> partOf(int handle) const;

@@ -25,4 +25,13 @@ std::optional<Eigen::Vector2d> inPlane(const view::SceneView& view, const QPoint
 /// The angle there about its origin from x on, degrees.
 std::optional<double> angleIn(const view::SceneView& view, const QPointF& position, const Frame& frame);
 
+/// Pixels within which a handle that a hand moves is brought in line with what lies there.
+inline constexpr double kMeetingReach = 6;
+
+/// How many mm of a way (unit) from there are seen as one pixel.
+double mmOfPixel(const view::SceneView& view, const Eigen::Vector3d& from, const Eigen::Vector3d& way);
+
+/// A square on its corner about a place, as it is seen: what lies there was brought in line with something.
+scene::Polyline meetingMark(const view::SceneView& view, const Eigen::Vector3d& at);
+
 }  // namespace bw::app

@@ -41,6 +41,11 @@ QString faceOf(int axis, int side, const QString& block) {
 
 }  // namespace
 
+double withoutNoise(double mm) {
+  constexpr double kDigits = 1e8;
+  return std::round(mm * kDigits) / kDigits;
+}
+
 std::optional<Snap> snapTo(const SnapThings& things, const SnapWay& way, double by, double within) {
   std::optional<Snap> best;
   double away = within, far = 0;

@@ -42,6 +42,9 @@ struct SnapWay {
   bool up = true;
 };
 
+/// Without the last digits that a turned frame leaves of a round number.
+double withoutNoise(double mm);
+
 /// What a handle that a hand has moved by so many mm snaps to: faces and middles of blocks, and the height,
 /// or the x, of points, the nearest to it within `within` mm. Nothing where there is none.
 std::optional<Snap> snapTo(const SnapThings& things, const SnapWay& way, double by, double within);

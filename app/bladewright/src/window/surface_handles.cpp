@@ -20,19 +20,12 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kCoarse = 10;                    // steps
-constexpr int kCurveParts = 32;                   // of a key blade
-constexpr double kSnapReach = 6, kSnapMark = 14;  // pixels
-constexpr double kAlongTravel = 0.94;             // cosine between it and the line of sight
-constexpr double kSameNumber = 1e-4;              // mm
-constexpr double kLeastShown = 0.3;               // share of a plane that another shows of it
+constexpr double kCoarse = 10;         // steps
+constexpr int kCurveParts = 32;        // of a key blade
+constexpr double kAlongTravel = 0.94;  // cosine between it and the line of sight
+constexpr double kSameNumber = 1e-4;   // mm
+constexpr double kLeastShown = 0.3;    // share of a plane that another shows of it
 constexpr std::array kNumbers = {HandleNumber::across, HandleNumber::height};
-
-/// Without the last digits that a turned frame leaves of a round number.
-double withoutNoise(double mm) {
-  constexpr double kDigits = 1e8;
-  return std::round(mm * kDigits) / kDigits;
-}
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -342,16 +335,8 @@ void SurfaceHandles::markSnaps(scene::Handles& handles) const {
   const std::vector<Snap> snaps = snapped();
   if (snaps.empty()) return;
   for (const Snap& snap : snaps) handles.curves.push_back({snap.line[0], snap.line[1]});
-  // A square on its corner about the handle, as it is seen.
-  const Eigen::Vector3d& at = handles.points[std::size_t(pull_->handle)];
-  const QPointF pixel = view_->toWidget(at);
-  const Eigen::Vector3d sight = view_->rayAt(pixel).second;
-  const Eigen::Vector3d right = sight.cross(view_->camera().up).normalized(), up = right.cross(sight);
-  const QPointF away = view_->toWidget(at + right) - pixel;
-  const double size = kSnapMark / std::hypot(away.x(), away.y());
-  if (!std::isfinite(size)) return;
-  handles.curves.push_back(
-      {at + size * right, at + size * up, at - size * right, at - size * up, at + size * right});
+  if (scene::Polyline mark = meetingMark(*view_, handles.points[std::size_t(pull_->handle)]); !mark.empty())
+    handles.curves.push_back(std::move(mark));
 }
 
 std::string SurfaceHandles::pullText() const {
@@ -475,7 +460,7 @@ void SurfaceHandles::drag(const Frame& plane, const Eigen::Vector2d& by, double 
 void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held) return;
   const auto [step, share] = handPace(keys, steps());
-  const double reach = kSnapReach * pixel;
+  const double reach = kMeetingReach * pixel;
   Eigen::Vector2d hand = share * by;
   // Nearly straight up or across is meant to be so.
   const Eigen::Vector2d off = by.cwiseAbs();

@@ -333,7 +333,8 @@ void MainWindow::makeHandleCommands() {
                  tr("Snap to &block and points"),
                  "",
                  tr("The mouse brings a handle in line with faces and middles of blocks and with other "
-                    "handles, where it comes near to them; with Ctrl or Alt it does not"),
+                    "handles, and a face of a block with those of other blocks and with the ends of the "
+                    "surface, where it comes near to them; with Ctrl or Alt it does not"),
                  {QKeySequence("Shift+G")},
                  true},
                 [this](bool on) { handles_->setMeeting(on); });
@@ -375,7 +376,7 @@ void MainWindow::refreshHandleCommands() {
   const bool possible = handles_->possible();
   commands_["handles.symmetric"]->setEnabled(possible);
   commands_["handles.symmetric"]->setChecked(handles_->symmetric());
-  commands_["handles.meet"]->setEnabled(possible);
+  commands_["handles.meet"]->setEnabled(possible || !bench_.document().empty());
   commands_["handles.meet"]->setChecked(handles_->meeting());
   commands_["handles.snap"]->setEnabled(possible);
   commands_["handles.snap"]->setChecked(handles_->snapping());
