@@ -385,6 +385,33 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   return rivals;
 }
 
+Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own) {
+  const Result<Unit> unit = check(problem, {});
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, {});
+  if (!weightless) return tl::unexpected<Error>(weightless.error());
+  HeavyRests rests;
+  if (weightless->kind == ClampedKind::straight) {
+    rests.stable.push_back(straightAnswer(problem, *weightless).solutions.front().blade);
+    return rests;
+  }
+  Search search(*unit, *weightless);
+  for (const Found& found : search.found()) {
+    if (!found.stable) continue;
+    const std::optional<Shape> shape = heavy::refined(unit->hold(found.turning), found.shape, heavy::kExact);
+    if (!shape) return lost("in finer modes");
+    rests.stable.push_back(placed(*unit, found.turning, *shape));
+  }
+  if (search.found().empty()) return lost("while its weight comes on");
+  if (!own) return rests;
+  const HeavyBlade::Numbers& n = own->numbers();
+  const std::size_t self = search.add(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
+  for (const std::size_t pass : search.passesOf(self))
+    rests.passes.push_back(placed(*unit, search.found()[pass].turning, search.found()[pass].shape));
+  rests.barrier = search.barrier(self);
+  return rests;
+}
+
 double largestSag(double length, double chord) {
   return std::sqrt(0.375 * std::max(0.0, length - chord) * length);
 }

@@ -34,16 +34,29 @@ bool isKnown(const Sweep& sweep, std::size_t i) {
   return sweep.request.weight.isZero() || (sweep.poses[i].heavy && sweep.fits[i].unknown.empty());
 }
 
-/// The other shapes at rest at a station; empty where they could not be sought.
-std::optional<std::vector<HeavyBlade>> othersAt(const Sweep& sweep, std::size_t i) {
+/// What else the blade of a station may rest in, and what is between.
+struct OthersThere {
+  std::vector<HeavyBlade> shapes = {};
+  std::optional<double> barrier = std::nullopt;
+  std::vector<HeavyBlade> passes = {};
+  bool passesKnown = false;
+};
+
+/// Empty where they could not be sought.
+std::optional<OthersThere> othersAt(const Sweep& sweep, std::size_t i) {
   const BladePose& pose = sweep.poses[i];
-  std::vector<HeavyBlade> others;
+  OthersThere others;
   if (!isKnown(sweep, i)) return {};
   if (isTaut(pose)) return others;
-  const Result<HeavyAnswer> all = solveAllHeavy(sweep::heldAt(sweep, pose));
+  const std::optional<HeavyBranch> own = sweep::standing(sweep, pose);
+  const std::optional<HeavyBlade> blade = own ? std::optional(own->blade()) : std::nullopt;
+  Result<HeavyRests> all = restsOf(sweep::heldAt(sweep, pose), blade ? &*blade : nullptr);
   if (!all) return {};
-  for (const HeavySolution& solution : all->solutions)
-    if (solution.stable && sweep::apart(pose, solution.blade) > kSameShape) others.push_back(solution.blade);
+  for (const HeavyBlade& shape : all->stable)
+    if (sweep::apart(pose, shape) > kSameShape) others.shapes.push_back(shape);
+  others.barrier = all->barrier;
+  others.passes = std::move(all->passes);
+  others.passesKnown = blade.has_value();
   return others;
 }
 
@@ -189,7 +202,7 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     const std::size_t i = (n - 1) * k / (kSearched - 1);
     if (searched.empty() || i != searched.back()) searched.push_back(i);
   }
-  std::vector<std::optional<std::vector<HeavyBlade>>> found(searched.size());
+  std::vector<std::optional<OthersThere>> found(searched.size());
   // Each takes the stations up to the next one that was searched, in either direction; the lowest of both is
   // kept, whichever comes first.
   std::vector<std::vector<StationCertainty>> onward(2, row.stations);
@@ -208,7 +221,7 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
           others.forget(here, to);
           continue;
         }
-        for (const HeavyBlade& blade : *found[k]) others.follow(blade, here, to);
+        for (const HeavyBlade& blade : found[k]->shapes) others.follow(blade, here, to);
       }
     });
   if (!ok) return tl::unexpected<Error>(ok.error());
@@ -226,23 +239,30 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     if (!isLost(i)) continue;
     if (context.stopped()) return stoppedError();
     ++times;
-    const std::optional<std::vector<HeavyBlade>> all = othersAt(sweep, i);
+    const std::optional<OthersThere> all = othersAt(sweep, i);
     if (!all) continue;
     std::size_t to = i;
     for (; to < n && isLost(to); ++to) row.stations[to].energy = ownEnergy(to);
     Others others(sweep, row.stations);
-    for (const HeavyBlade& blade : *all) others.follow(blade, i, to);
+    for (const HeavyBlade& blade : all->shapes) others.follow(blade, i, to);
   }
-  // How little brings it over, at the stations that were searched and where that is most needed.
+  // How little brings it over, at the stations that were searched, where it is known by now, and where that
+  // is most needed.
   std::vector<std::size_t> asked;
-  for (const std::size_t i : searched)
-    if (row.stations[i].unsure()) asked.push_back(i);
+  std::vector<const OthersThere*> known;
+  for (std::size_t k = 0; k < searched.size(); ++k)
+    if (row.stations[searched[k]].unsure()) {
+      asked.push_back(searched[k]);
+      known.push_back(found[k] && found[k]->passesKnown ? &*found[k] : nullptr);
+    }
   for (const sweep::Stretch& at : unsureStretches(row.stations))
     if (std::ranges::find(asked, at.worst) == asked.end()) asked.push_back(at.worst);
+  known.resize(asked.size());
   std::vector<std::optional<HeavyRivals>> rivals(asked.size());
   std::vector<std::vector<PassThere>> passes(asked.size());
   ok = parallelFor(context, int(asked.size()), [&](int k) {
     const std::size_t i = asked[std::size_t(k)];
+    if (known[std::size_t(k)]) return;
     const std::optional<HeavyBranch> own = sweep::standing(sweep, sweep.poses[i]);
     if (!own) return;
     Result<HeavyRivals> all = rivalsOf(own->blade(), stiffness);
@@ -250,6 +270,10 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (known[k]) {
+      row.stations[asked[k]].barrier = known[k]->barrier;
+      row.stations[asked[k]].passes = known[k]->passes;
+    }
     if (!rivals[k]) continue;
     row.stations[asked[k]].barrier = rivals[k]->barrier;
     row.stations[asked[k]].passes = std::move(rivals[k]->passes);
