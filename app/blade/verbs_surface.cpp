@@ -14,6 +14,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/drawn_design.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/overall.h"
 #include "bw/pipeline/run_identity.h"
@@ -139,11 +140,17 @@ Result<Design> askedFor(const Session& session, const ResultOptions& options) {
                     "another folder",
                 "out");
   if (!options.version.empty()) design = atVersion(*design, options.version);
-  return design ? withSets(*design, options.sets) : design;
+  if (!design) return design;
+  Result<pipeline::FollowedDesign> followed = pipeline::followDrawing(*design, session.context());
+  if (!followed) return tl::unexpected<Error>(followed.error());
+  session.endProgress();
+  if (!followed->told.empty())
+    std::cerr << severityName(followed->severity) << ": " << printable(followed->told) << "\n";
+  return withSets(followed->design, options.sets);
 }
 
-/// Writes the results, and again whenever the design or a CAD file that it links was saved, until it is
-/// stopped. What cannot be read or made is told, and the next change is waited for.
+/// Writes the results, and again whenever the design, or a CAD file or drawing that it links, was saved,
+/// until it is stopped. What cannot be read or made is told, and the next change is waited for.
 int watchDesign(const Session& session, const ResultOptions& options) {
   if (pipeline::sameFile(fs::path(options.out) / kDesignFile, options.file))
     return session.complain({ErrorCode::badInput,
@@ -154,10 +161,16 @@ int watchDesign(const Session& session, const ResultOptions& options) {
   while (!session.stop.stop_requested()) {
     FileWatch watch;
     watch.add(options.file);
+    // Before they are read.
+    Result<Design> linking = loadDesign(options.file);
+    if (linking && !options.version.empty()) linking = atVersion(*linking, options.version);
+    if (linking)
+      for (const Source& source : linking->sources) {
+        if (source.bytes.empty() && !source.path.empty()) watch.add(source.path);
+        if (source.drawing) watch.add(source.drawing->path);
+      }
     const Result<Design> design = askedFor(session, options);
     if (design) {
-      for (const Source& source : design->sources)
-        if (source.bytes.empty() && !source.path.empty()) watch.add(source.path);
       writeResults(session, *design, options, 0, &before);
     } else {
       session.complain(design.error());
@@ -306,8 +319,9 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_flag(
         "--handover", options->handover,
         "Also what is understood without this program: report.html, report.pdf, pictures, IGES, STL");
-    verb->add_flag("--watch", options->watch,
-                   "Write the results again whenever the design or a CAD file that it links is saved");
+    verb->add_flag(
+        "--watch", options->watch,
+        "Write the results again whenever the design, or a CAD file or drawing that it links, is saved");
     addDespiteErrors(*verb, options->despiteErrors);
     verb->footer(
         "Example:\n  blade design panel.bladewright --out out/panel\n"

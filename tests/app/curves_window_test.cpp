@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bw/geometry/export.h"
+#include "bw/pipeline/drawn_design.h"
 #include "window_fixture.h"
 
 namespace bw::app {
@@ -272,6 +273,105 @@ TEST_F(CurvesInTheWindow, AreReadAgainWhenTheDrawingChanges) {
   ASSERT_TRUE(told("was read again at"));
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().design(), after) << "the block and the travel follow, too";
+}
+
+TEST_F(CurvesInTheWindow, TheDesignKeepsItsDrawingAndItsLayer) {
+  std::vector<geometry::NamedCurve> all = {section(0), section(400), section(800),
+                                           section(100, "ceiling", 60), section(700, "ceiling", 60)};
+  const std::string circle = "0\nCIRCLE\n8\nholes\n10\n0\n20\n0\n40\n5\n";
+  ASSERT_TRUE(open("walls.dxf", dxf(all, circle)));
+  ASSERT_TRUE(settle());
+  choose(*find<ChoiceField>("Layer"), 1);
+  ASSERT_TRUE(settle());
+  const fs::path file = path("walls.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  const Design saved = bench().design();
+  ASSERT_TRUE(saved.source().drawing);
+  EXPECT_EQ(saved.source().drawing->layer, "ceiling");
+  const auto reopen = [&] {
+    window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+    window().commands()["file.close"]->trigger();
+    ASSERT_TRUE(window().openFile(QString::fromStdString(file.string())));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  };
+  const auto told = [&](const QString& words) {
+    return QTest::qWaitFor(
+        [&] { return window().banner().isVisible() && window().banner().text().contains(words); }, kPatience);
+  };
+  const auto save = [&](const std::string& bytes) {
+    ASSERT_TRUE(writeFile(path("walls.tmp"), bytes));
+    fs::rename(path("walls.tmp"), path("walls.dxf"));
+  };
+  // Opened again its layers are there, and nothing has changed.
+  ASSERT_NO_FATAL_FAILURE(reopen());
+  EXPECT_FALSE(bench().document().modified());
+  auto* layer = find<ChoiceField>("Layer");
+  ASSERT_TRUE(layer);
+  EXPECT_EQ(itemsOf(*layer),
+            (QStringList{"All layers: 6 curves", "ceiling: 2 curves", "holes: 1 curve", "roof: 3 curves"}));
+  EXPECT_EQ(layer->currentText(), "ceiling: 2 curves");
+  picture("curves-layer-reopened");
+  // A drawing that changes is read again with that layer.
+  all.push_back(section(400, "ceiling", 90));
+  save(dxf(all, circle));
+  ASSERT_TRUE(told("walls.dxf has changed on disk and was read again at"))
+      << window().banner().text().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(sections(), 3u);
+  EXPECT_EQ(layer->currentText(), "ceiling: 3 curves");
+  EXPECT_NE(bench().design().block().placement, saved.block().placement) << "the block lies around it";
+  // And so it is where it had changed before the design was opened; without the window, too.
+  const auto followed = [&] {
+    return pipeline::followDrawing(loadDesign(file).value()).value_or(pipeline::FollowedDesign{});
+  };
+  EXPECT_EQ(followed().severity, Severity::info);
+  EXPECT_NE(followed().told.find("was read again: 3 curves of walls.dxf"), std::string::npos)
+      << followed().told;
+  EXPECT_EQ(designToJson(followed().design), designToJson(bench().design()));
+  EXPECT_EQ(pipeline::followDrawing(followed().design)->told, "") << "now it is as it was read";
+  ASSERT_NO_FATAL_FAILURE(reopen());
+  ASSERT_TRUE(told("walls.dxf has changed on disk and was read again at"))
+      << window().banner().text().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(sections(), 3u);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Read walls.dxf again");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(sections(), 2u);
+  // Of another layer, too.
+  choose(*find<ChoiceField>("Layer"), 3);
+  EXPECT_EQ(find<ChoiceField>("Layer")->currentText(), "roof: 3 curves");
+  EXPECT_EQ(bench().design().source().drawing->layer, "roof");
+  // What a hand has changed is asked for.
+  bench().editSurface("Pull", [](DesignedSurface& surface) {
+    std::get<SectionsSurface>(surface.shape).sections[0].points[1].y() += 3;
+  });
+  ASSERT_TRUE(bench().saveTo(file));
+  all.front() = section(0, "roof", 5);
+  save(dxf(all, circle));
+  EXPECT_EQ(followed().severity, Severity::warning);
+  EXPECT_NE(followed().told.find("was changed by hand since"), std::string::npos) << followed().told;
+  EXPECT_EQ(followed().design, loadDesign(file).value());
+  ASSERT_NO_FATAL_FAILURE(reopen());
+  ASSERT_TRUE(told("was changed here since")) << window().banner().text().toStdString();
+  EXPECT_FALSE(bench().document().modified());
+  EXPECT_EQ(find<ChoiceField>("Layer")->currentText(), "Changed since");
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  ASSERT_TRUE(told("was read again at")) << window().banner().text().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(find<ChoiceField>("Layer")->currentText(), "roof: 3 curves");
+  ASSERT_TRUE(bench().saveTo(file));
+  // Without the drawing the design goes on, and keeps what it knows of it.
+  fs::rename(path("walls.dxf"), path("away.dxf"));
+  EXPECT_NE(followed().told.find("cannot be read; the surface that the design holds is cut"),
+            std::string::npos)
+      << followed().told;
+  ASSERT_NO_FATAL_FAILURE(reopen());
+  ASSERT_TRUE(told("is no longer there; the design holds its surface"))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(sections(), 3u);
+  ASSERT_TRUE(bench().design().source().drawing);
+  EXPECT_EQ(bench().design().source().drawing->layer, "roof");
 }
 
 TEST_F(CurvesInTheWindow, ADrawingOfOneLayerHasNoneToChoose) {

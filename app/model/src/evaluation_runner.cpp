@@ -123,6 +123,14 @@ void EvaluationRunner::stopAll() {
   endOrder();
 }
 
+void EvaluationRunner::provide(pipeline::Stage<pipeline::SourceRequest, pipeline::CadSource> source) {
+  const std::lock_guard lock(mutex_);
+  auto next = previous_ ? std::make_shared<pipeline::Evaluation>(*previous_)
+                        : std::make_shared<pipeline::Evaluation>();
+  next->source = std::move(source);
+  previous_ = std::move(next);
+}
+
 void EvaluationRunner::clear() {
   stopAll();
   {

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <map>
 
+#include "bw/core/design/surface_curves.h"
 #include "bw/core/dxf/dxf_curves.h"
+#include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
 #include "bw/geometry/cad_curves.h"
@@ -167,6 +169,61 @@ Design withDrawn(const Design& design, const std::vector<DrawnDesign>& earlier, 
   if (!isBound(design, "/cuts/0/direction")) follow([](auto& of) -> auto& { return of.cut().direction; });
   if (!isBound(design, "/blade/length")) follow([](auto& of) -> auto& { return of.blade.length; });
   return changed;
+}
+
+DrawingLink linkTo(const std::filesystem::path& path, const Fingerprint& content,
+                   const std::optional<std::string>& layer, const DrawnDesign& made) {
+  const Design& design = made.design;
+  return {path,
+          layer,
+          content,
+          surfaceMark(*design.source().surface),
+          design.block().placement,
+          design.cut().direction.value_or(Eigen::Vector3d::UnitY()),
+          design.blade.length};
+}
+
+DrawnDesign madeBefore(const DrawingLink& link, const DesignedSurface& surface) {
+  DrawnDesign made;
+  made.design.source().surface = surface;
+  made.design.block().placement = link.block;
+  made.design.cut().direction = link.direction;
+  made.design.blade.length = link.length;
+  return made;
+}
+
+Result<FollowedDesign> followDrawing(const Design& design, const RunContext& context) {
+  FollowedDesign followed{design};
+  const Source& source = design.source();
+  if (!source.drawing || !source.surface) return followed;
+  const DrawingLink& link = *source.drawing;
+  const std::string name = link.path.filename().string();
+  const Result<std::string> bytes = readFile(link.path);
+  if (!bytes) {
+    followed.told =
+        "the drawing " + link.path.string() + " cannot be read; the surface that the design holds is cut";
+    followed.severity = Severity::warning;
+    return followed;
+  }
+  const Fingerprint content = fingerprintOf(*bytes);
+  if (content == link.read) return followed;
+  if (!isAsDrawn(link, *source.surface)) {
+    followed.told = "the drawing " + name +
+                    " has changed, but the surface made of it was changed by hand since; that of the design "
+                    "is cut";
+    followed.severity = Severity::warning;
+    return followed;
+  }
+  DrawnRequest request;
+  if (link.layer) request.names = {*link.layer};
+  const Result<DrawnDesign> made = designThrough(*bytes, name, request, context);
+  if (!made) return tl::unexpected<Error>(made.error());
+  followed.design = withDrawn(design, {madeBefore(link, *source.surface)}, *made);
+  followed.design.source().drawing = linkTo(link.path, content, link.layer, *made);
+  followNames(design, followed.design);
+  followed.told =
+      "the drawing has changed since the design was saved and was read again: " + drawnText(*made, name);
+  return followed;
 }
 
 std::string drawnText(const DrawnDesign& drawn, const std::string& name) {

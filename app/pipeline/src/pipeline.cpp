@@ -14,6 +14,7 @@
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/pipeline/lower_block.h"
+#include "bw/pipeline/read_source.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cut_stages.h"
@@ -379,6 +380,17 @@ Findings CutEvaluation::findings() const {
         &coverage.findings, &ends.findings, &rest.findings, &simulated.findings})
     append(all, *list);
   return all;
+}
+
+Result<Stage<SourceRequest, CadSource>> readFirstSource(const Design& design, const RunContext& context) {
+  Stage<SourceRequest, CadSource> stage;
+  double seconds = 0;
+  const Result<void> ok = settle(stage, {}, sourceRequest(design, design.source()), {}, seconds,
+                                 [&context](const SourceRequest& request, Findings& findings) {
+                                   return readSource(request, context, findings);
+                                 });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  return stage;
 }
 
 bool Evaluation::complete() const {

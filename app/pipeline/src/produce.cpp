@@ -106,6 +106,7 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
 
 Result<Design> storedDesign(const Evaluation& evaluation) {
   Design result = withoutVersions(evaluation.design);
+  result.source().drawing.reset();  // what was cut is the surface that it holds
   if (result.source().surface) return result;
   const Fingerprint& read = evaluation.source.value->content;
   const auto changed = [&] {

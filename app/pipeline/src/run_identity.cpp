@@ -202,6 +202,7 @@ std::string runId(const Evaluation& e, const Cell* cell) {
     source.bytes.clear();
     source.saved.reset();
     source.curveNames.clear();
+    source.drawing.reset();
   }
   Values f;
   f.text(BW_VERSION).text(designToJson(inputs)).text(fingerprintText(e.source.value->content));

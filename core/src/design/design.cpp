@@ -306,6 +306,7 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object, const det
              readFileKeys(inner, source, files);
              detail::readSourceKeys(inner, source);
              detail::readCurveNames(inner, source);
+             detail::readDrawing(inner, source);
            });
   for (std::size_t i = 1; i < design.sources.size(); ++i)
     if (!design.sources[i].surface)
@@ -531,6 +532,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
       const std::string part = "/sources/" + std::to_string(sources.size()) + "/surface";
       json designed = {{"id", source.id}, {"surface", surfaceJson(*source.surface, boundIn(part))}};
       detail::writeCurveNames(source, designed);
+      detail::writeDrawing(source, designed);
       sources.push_back(std::move(designed));
       continue;
     }
@@ -597,9 +599,23 @@ Result<Design> loadDesign(const fs::path& file, int* version) {
     for (Source& source : state.sources)
       if (source.bytes.empty() && !source.path.empty() && source.path.is_relative())
         source.path = (file.parent_path() / source.path).lexically_normal();
+    for (Source& source : state.sources)
+      if (source.drawing && source.drawing->path.is_relative())
+        source.drawing->path = (file.parent_path() / source.drawing->path).lexically_normal();
   });
   return design;
 }
+
+namespace {
+
+/// Where a linked file lies beside a design of that folder.
+void relate(fs::path& path, const fs::path& folder) {
+  if (!path.is_absolute()) return;
+  const fs::path relative = path.lexically_relative(folder);
+  if (!relative.empty()) path = relative;
+}
+
+}  // namespace
 
 Result<void> saveDesign(const Design& design, const fs::path& file) {
   Design stored = design;
@@ -609,9 +625,8 @@ Result<void> saveDesign(const Design& design, const fs::path& file) {
   const fs::path folder = fs::absolute(file, error).parent_path();
   changeStates(stored, [&folder](Design& state) {
     for (Source& source : state.sources) {
-      if (!source.bytes.empty() || !source.path.is_absolute()) continue;
-      const fs::path relative = source.path.lexically_relative(folder);
-      if (!relative.empty()) source.path = relative;
+      if (source.bytes.empty()) relate(source.path, folder);
+      if (source.drawing) relate(source.drawing->path, folder);
     }
   });
   const std::string text = designToJson(stored);

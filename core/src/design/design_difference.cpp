@@ -266,6 +266,7 @@ ordered_json documentOf(const Design& design) {
   for (Source& source : bare.sources) {
     source.bytes.clear();
     source.saved.reset();
+    source.drawing.reset();
   }
   return detail::designJson(bare);
 }

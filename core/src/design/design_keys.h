@@ -51,6 +51,10 @@ nlohmann::json surfaceJson(const DesignedSurface& surface, const BoundBelow& isB
 void readCurveNames(ObjectReader& reader, Source& source);
 void writeCurveNames(const Source& source, nlohmann::json& object);
 
+/// drawing: of a surface that is read before it.
+void readDrawing(ObjectReader& reader, Source& source);
+void writeDrawing(const Source& source, nlohmann::json& object);
+
 void readSourceKeys(ObjectReader& reader, Source& source);            ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);          ///< block
 void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid);  ///< grid

@@ -6,11 +6,14 @@
 #include <functional>
 #include <utility>
 
+#include "bw/core/design/surface_curves.h"
+
 namespace bw::app {
 
 Result<pipeline::DrawnDesign> Drawing::make(const Layer& layer, const RunContext& context) const {
   if (const auto found = std::ranges::find(taken, layer); found != taken.end())
     return made[std::size_t(found - taken.begin())];
+  if (!curves) return fail(ErrorCode::cannotRead, "the curves of " + file + " could not be read", file);
   pipeline::DrawnRequest request;
   if (layer) request.names = {*layer};
   return pipeline::designThrough(*curves, file, request, context);
@@ -29,8 +32,15 @@ std::vector<pipeline::DrawnDesign> Drawing::all() const {
   return all;
 }
 
-Design Drawing::onto(const Design& design, const pipeline::DrawnDesign& next) const {
-  return pipeline::withDrawn(design, all(), next);
+DrawingLink Drawing::linkTo(const pipeline::DrawnDesign& drawn, const Layer& layer) const {
+  return pipeline::linkTo(path, content, layer, drawn);
+}
+
+Design Drawing::onto(const Design& design, const pipeline::DrawnDesign& next, const DrawingLink& link) const {
+  Design changed = pipeline::withDrawn(design, all(), next);
+  changed.source().drawing = link;
+  followNames(design, changed);
+  return changed;
 }
 
 std::optional<Drawing::Layer> Drawing::layerOf(const std::optional<DesignedSurface>& surface) const {

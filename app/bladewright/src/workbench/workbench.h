@@ -322,6 +322,9 @@ class Workbench : public QObject {
   void readLinkedAgain();
   void readDrawingAgain(bool asked);
   void endDrawing(Drawing next, const Drawing::Layer& layer, bool asked);
+  /// Reads the drawing that a design which was opened tells that it is made of.
+  void readDrawingOfDesign();
+  void endDrawingOfDesign(const DrawingLink& link, std::optional<Drawing> next, const Result<void>& done);
   void tellReadAgain(const QString& more = {});
   void tellUnreadable(const Error& error, const std::function<void()>& again);
   void tellSourceChanged();

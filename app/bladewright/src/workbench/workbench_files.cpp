@@ -45,6 +45,7 @@ Result<void> Workbench::openFile(const fs::path& file) {
            QString::fromStdString(words::sentence(
                {Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}},
                words::Reader::window)));
+    readDrawingOfDesign();
   } else {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return refuse(Topic::file, noFile(file));
@@ -144,9 +145,11 @@ void Workbench::openDrawing(Reading& read) {
                      QString::fromStdString(printable(read.drawing->whyOne)));
   else if (read.drawing->layers.size() > 1)
     told += tr(" All its layers were taken; Input ▸ Layer takes one.");
-  document_.start(drawn.design);
+  read.drawing->path = absoluteOf(read.file);
+  Design design = drawn.design;
+  design.source().drawing = read.drawing->linkTo(drawn, layer);
+  document_.start(std::move(design));
   drawing_ = std::move(read.drawing);
-  drawing_->path = absoluteOf(read.file);
   tell(Topic::file, Severity::info, told);
   // What was written while it was read is told now.
   followSource();
@@ -178,7 +181,7 @@ void Workbench::takeLayer(const Drawing::Layer& layer) {
           if (done.error().code != ErrorCode::cancelled) tell(Topic::file, done.error());
           return tellChanged(Aspect::design);  // the field shows what is there
         }
-        const Design changed = drawing_->onto(design(), **made);
+        const Design changed = drawing_->onto(design(), **made, drawing_->linkTo(**made, layer));
         drawing_->add(layer, **made);
         editDesign(name, [&changed](Design& design) { design = changed; });
         if (design() != changed) return;  // something of it is locked, which is told
@@ -202,6 +205,7 @@ Result<void> Workbench::recover(const fs::path& copy) {
   emit noticesOutdated(Topic::recovery);
   tell(Topic::file, Severity::info,
        tr("Unsaved work on “%1” was recovered. It is not saved yet.").arg(document_.title()));
+  readDrawingOfDesign();
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/printable.h"
+#include "bw/pipeline/read_source.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -44,6 +45,7 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   const fs::path absolute = fs::absolute(file, error);
   design.source().path = error ? file : absolute;
   design.source().surface.reset();
+  design.source().drawing.reset();
   design.source().bytes.clear();
   design.source().saved.reset();
   if (embedded) {
@@ -94,14 +96,17 @@ void Workbench::onSourceChanged() {
 
 void Workbench::readLinkedAgain() {
   const Source source = design().source();
+  const auto read = std::make_shared<pipeline::Stage<pipeline::SourceRequest, pipeline::CadSource>>();
   runner_.submit(
       tr("Reading %1").arg(QString::fromStdString(printable(source.path.filename().string()))),
-      [path = source.path, options = design().readOptions(source)](
-          const pipeline::Evaluation&, const RunContext& context) -> Result<void> {
-        const Result<geometry::CadModel> model = geometry::CadModel::read(path, context, options);
-        return model ? Result<void>() : tl::unexpected<Error>(model.error());
+      [read, now = document_.design()](const pipeline::Evaluation&,
+                                       const RunContext& context) -> Result<void> {
+        auto stage = pipeline::readFirstSource(*now, context);
+        if (!stage) return tl::unexpected<Error>(stage.error());
+        *read = std::move(*stage);
+        return {};
       },
-      [this, source, reading = ++sourceReadings_](const Result<void>& done) {
+      [this, source, read, reading = ++sourceReadings_](const Result<void>& done) {
         // Another design, another file, or the next change of it took its place.
         const Source& now = design().source();
         if (reading != sourceReadings_ || now.path != source.path || now.surface || !now.bytes.empty())
@@ -109,6 +114,7 @@ void Workbench::readLinkedAgain() {
         if (!done) return tellUnreadable(done.error(), [this] { readLinkedAgain(); });
         judgedSize_.reset();
         emit noticesOutdated(Topic::unit);
+        runner_.provide(std::move(*read));
         runner_.evaluate(document_.design());
       },
       model::EvaluationRunner::Needs::nothing);
@@ -147,9 +153,12 @@ void Workbench::endDrawing(Drawing next, const Drawing::Layer& layer, bool asked
   if (!asked && !now) return tellSourceChanged();
   if (now && *now != layer) return readDrawingAgain(asked);
   const pipeline::DrawnDesign made = next.made.front();
-  const Design changed = drawing_->onto(design(), made);
-  const bool other = changed != design();
   next.path = drawing_->path;
+  Design changed = drawing_->onto(design(), made, next.linkTo(made, layer));
+  // That the file has another content is no step.
+  const std::optional<DrawingLink> link = std::exchange(changed.source().drawing, design().source().drawing);
+  const bool other = changed != design();
+  if (other) changed.source().drawing = link;
   next.earlier = drawing_->all();
   const Fingerprint content = next.content;
   const Drawing before = std::exchange(*drawing_, std::move(next));
@@ -165,6 +174,61 @@ void Workbench::endDrawing(Drawing next, const Drawing::Layer& layer, bool asked
   tellReadAgain(other ? tr(" It is a step that undo takes back.") : tr(" Its surface is as it was."));
   watch_.accept(content);
   // Who heard of the design did not know the drawing yet.
+  tellChanged(Aspect::design);
+}
+
+void Workbench::readDrawingOfDesign() {
+  const Source& source = design().source();
+  if (!source.drawing || !source.surface) return;
+  const DrawingLink link = *source.drawing;
+  const auto next = std::make_shared<std::optional<Drawing>>();
+  const std::string name = link.path.filename().string();
+  runner_.submit(
+      tr("Reading %1").arg(QString::fromStdString(printable(name))),
+      [next, link, name](const pipeline::Evaluation&, const RunContext& context) -> Result<void> {
+        const Result<std::string> bytes = readFile(link.path);
+        if (!bytes) return tl::unexpected<Error>(bytes.error());
+        Result<Drawing> drawing = readDrawing(*bytes, name, link.layer, context);
+        if (!drawing) return tl::unexpected<Error>(drawing.error());
+        *next = std::move(*drawing);
+        return {};
+      },
+      [this, next, link, opened = opened_, reading = ++sourceReadings_](const Result<void>& done) {
+        if (opened == opened_ && reading == sourceReadings_) endDrawingOfDesign(link, std::move(*next), done);
+      },
+      model::EvaluationRunner::Needs::nothing);
+}
+
+void Workbench::endDrawingOfDesign(const DrawingLink& link, std::optional<Drawing> next,
+                                   const Result<void>& done) {
+  const Source& source = design().source();
+  if (!source.drawing || !source.surface || source.drawing->path != link.path) return;
+  // As it was when the surface was made of it.
+  Drawing before;
+  before.file = link.path.filename().string();
+  before.path = link.path;
+  before.content = link.read;
+  if (isAsDrawn(link, *source.surface)) before.add(link.layer, pipeline::madeBefore(link, *source.surface));
+  before.chosen = link.layer;
+  before.earlier = {pipeline::madeBefore(link, *source.surface)};
+  const bool same = next && next->content == link.read;
+  if (next) {
+    before.curves = next->curves;
+    before.layers = next->layers;
+  }
+  drawing_ = std::move(before);
+  followSource();
+  std::error_code error;
+  if (!done && !fs::is_regular_file(link.path, error))
+    tellSourceGone();
+  else if (!done)
+    tellUnreadable(done.error(), [this] { readDrawingAgain(true); });
+  else if (same)
+    watch_.accept(link.read);
+  else if (followsFile() && drawing_->layerOf(source.surface))
+    endDrawing(std::move(*next), link.layer, false);
+  else
+    tellSourceChanged();
   tellChanged(Aspect::design);
 }
 

@@ -49,6 +49,9 @@ class EvaluationRunner : public QObject {
   enum class Needs { result, nothing };
   void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done,
               Needs needs = Needs::result);
+  /// Gives what was read of the first source beside the evaluations: the next one takes it where it is what
+  /// it would read.
+  void provide(pipeline::Stage<pipeline::SourceRequest, pipeline::CadSource> source);
   /// Seeks how far something may be moved from the newest result, while nothing else is to be done: `at`
   /// makes the design that is moved by so much, `farthest` at most. What was sought before is forgotten.
   void seekReach(std::function<Design(double)> at, double farthest);

@@ -4,10 +4,12 @@
 // Designs from the curves of CAD files.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
@@ -68,6 +70,26 @@ Result<DrawnDesign> designThrough(const DrawnCurves& curves, const std::string& 
 /// the first block its place, of the first cut its direction, and the length of the blade are those of `next`
 /// where they still are as one of `earlier`, made from the same drawing, has them.
 Design withDrawn(const Design& design, const std::vector<DrawnDesign>& earlier, const DrawnDesign& next);
+
+/// How a design tells what its first source was made of: of a file with that content at `path`, and of the
+/// curves of a layer, or of all.
+DrawingLink linkTo(const std::filesystem::path& path, const Fingerprint& content,
+                   const std::optional<std::string>& layer, const DrawnDesign& made);
+
+/// What was made of a drawing, as far as a design tells: what `withDrawn` takes as made from it before.
+DrawnDesign madeBefore(const DrawingLink& link, const DesignedSurface& surface);
+
+/// A design, and what became of the drawing that it is made of.
+struct FollowedDesign {
+  Design design;
+  std::string told = {};  ///< for people; empty where there is no drawing, or it is as it was
+  Severity severity = Severity::info;
+};
+
+/// The design with the surface made anew of its drawing, and of the layer that was chosen, where that file is
+/// another by now. A surface that a hand has changed since stays, and so it does where the file cannot be
+/// read: both are told. Errors: those of `designThrough`.
+Result<FollowedDesign> followDrawing(const Design& design, const RunContext& context = {});
 
 /// "3 curves (2 pieces joined) of walls.dxf: the loft of 3 sections with 7 points each lies within 0.08 mm of
 /// them (the farthest is curve 2)": what became of the curves, for people.

@@ -18,6 +18,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/blade/blade.h"
 #include "bw/core/design/block_grid.h"
+#include "bw/core/design/drawing_link.h"
 #include "bw/core/design/face_choice.h"
 #include "bw/core/design/part_marks.h"
 #include "bw/core/design/read_options.h"
@@ -49,6 +50,8 @@ struct Source {
   std::optional<DesignedSurface> surface = std::nullopt;
   /// What curves of that surface were called, by their place, counted from 0 (surface_curves.h).
   std::map<int, std::string> curveNames = {};
+  /// The drawing that surface was made of, where there is one; only of the first source.
+  std::optional<DrawingLink> drawing = std::nullopt;
   bool operator==(const Source&) const = default;
 
   /// True where nothing is named yet.
