@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "bw/core/shape/surface_blades.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/key_blades.h"
 #include "verbs.h"
@@ -23,9 +24,6 @@ struct KeysOptions {
   bool adopt = false;
 };
 
-/// A quarter of what the cut may be off is spent on telling the surface otherwise.
-constexpr double kShare = 0.25;
-
 int runKeys(const Session& session, const KeysOptions& options) {
   const Result<Design> opened = session.openDesign(options.file);
   if (!opened) return session.complain(opened.error());
@@ -33,7 +31,8 @@ int runKeys(const Session& session, const KeysOptions& options) {
   if (!options.cut.empty() && std::ranges::find(opened->cuts, options.cut, &Cut::id) == opened->cuts.end())
     return session.complain(
         {ErrorCode::badInput, "there is no cut \"" + options.cut + "\" in the design", "cut"});
-  const double tolerance = options.tolerance > 0 ? options.tolerance : kShare * opened->process.tolerance;
+  const double tolerance =
+      options.tolerance > 0 ? options.tolerance : kKeyBladeShare * opened->process.tolerance;
   pipeline::Outcome outcome = pipeline::evaluate(*opened, nullptr, session.context());
   if (session.stop.stop_requested()) return session.complain(stoppedError().value());
   bool any = false, within = true;

@@ -3,6 +3,8 @@
 //
 // A surface that is designed in the window: its kind, its numbers, its formula, the variables.
 
+#include <algorithm>
+
 #include "bw/core/base/units.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
@@ -154,6 +156,24 @@ TEST_F(DesignStep, AFormulaIsTakenOrRefusedWithItsCharacter) {
   EXPECT_EQ(shape<FormulaSurface>().numbers[0].name, "waves");
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
+}
+
+TEST_F(DesignStep, KeyBladesOfAnotherKindTellHowNearTheyCome) {
+  open("ripple-along");
+  std::vector<Notice> told;
+  QObject::connect(&bench(), &Workbench::noticed, &window(), [&told](const Notice& n) { told.push_back(n); });
+  emit find<ChoiceField>("Surface")->activated(3);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  const std::size_t count = shape<BladesSurface>().blades.size();
+  EXPECT_GE(count, 8u) << "seven of them miss the surface by more than a quarter of the tolerance";
+  const auto near = std::ranges::find_if(told, [&](const Notice& n) {
+    return n.text.startsWith(QString("%1 key blades, within 0.").arg(count));
+  });
+  ASSERT_NE(near, told.end());
+  EXPECT_EQ(near->severity, Severity::info);
+  QTest::qWait(50);
+  picture("design-key-blades-told");
 }
 
 TEST_F(DesignStep, AnotherKindBeginsNearTheOneBefore) {

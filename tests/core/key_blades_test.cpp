@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/shape/key_blades.h"
+#include "bw/core/shape/designed_surface.h"
+#include "bw/core/shape/surface_blades.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +12,6 @@
 #include <random>
 
 #include "bw/core/base/units.h"
-#include "bw/core/shape/designed_surface.h"
 #include "sweep/station_velocity.h"
 
 namespace bw {
@@ -243,6 +244,75 @@ TEST(KeyBlades, TheFewestThatServeAreFound) {
   const FewestBlades coarse = fewestBlades(curves, 5).value();
   EXPECT_LE(coarse.blades.size(), found.blades.size());
   EXPECT_LE(coarse.deviation, 5);
+}
+
+TEST(KeyBlades, OfASurfaceTheyComeNearBetweenTheirCurvesToo) {
+  const auto surfaceOf = [](double amplitude) {
+    FormulaSurface formula;
+    formula.over = {{0, 0}, {600, 800}};
+    formula.formula = "300 - 60*((x - 300)/300)^2 + a*sin(3*pi*y/800)*(1 - 0.3*((x - 300)/300)^2)";
+    formula.numbers = {{"a", amplitude}};
+    DesignedSurface designed;
+    designed.shape = formula;
+    return splineOf(designed).value();
+  };
+  const auto farthest = [](const SplineSurface& surface, const SurfaceBlades& found) {
+    const BladeSweep sweep = BladeSweep::through(found.shape.blades).value();
+    double largest = 0;
+    for (int i = 0; i <= 800; ++i) {
+      std::vector<Eigen::Vector2d> points;
+      for (int k = 0; k <= 200; ++k) {
+        const Eigen::Vector3d p = surface.value(
+            surface.knotsU.front() + (surface.knotsU.back() - surface.knotsU.front()) * k / 200.0,
+            surface.knotsV.front() + (surface.knotsV.back() - surface.knotsV.front()) * i / 800.0);
+        points.emplace_back(p.x(), p.z());
+      }
+      const PlanarCurve curve = PlanarCurve::points(points).value();
+      for (const Eigen::Vector2d& p : elasticaOf(sweep.at(double(i))).value().sample(21))
+        largest = std::max(largest, (curve.value(curve.nearestParameter(p)) - p).norm());
+    }
+    return largest;
+  };
+  const SplineSurface ripple = surfaceOf(25);
+  const SurfaceBlades found = fewestBladesOf(ripple, 0.5).value();
+  EXPECT_LE(found.deviation, 0.5);
+  EXPECT_LE(farthest(ripple, found), found.deviation + 0.02);
+  EXPECT_LT(found.shape.blades.size(), 20u);
+  EXPECT_NEAR(found.from, 0, 1e-9);
+  EXPECT_NEAR(found.to, 800, 1e-9);
+  // Nearer than an elastica comes: it is told.
+  const SurfaceBlades fine = fewestBladesOf(ripple, 1e-6).value();
+  EXPECT_GT(fine.deviation, 1e-6);
+}
+
+TEST(KeyBlades, OfASurfaceWhoseLinesDoNotLieAcrossTheyFollowItInThePlanes) {
+  // Poles moved along the travel: what lies at one v lies at many y.
+  PolesSurface poles;
+  poles.over = {{0, 0}, {600, 800}};
+  for (int r = 0; r < poles.rows; ++r)
+    for (int c = 0; c < poles.columns; ++c) {
+      poles.at(r, c).height = 250 + 12 * r - 4 * c;
+      if (r > 0 && r + 1 < poles.rows && c == 1) poles.at(r, c).moved.y() = 40;
+    }
+  DesignedSurface designed;
+  designed.shape = poles;
+  const SplineSurface surface = splineOf(designed).value();
+  const SurfaceBlades found = fewestBladesOf(surface, 0.2).value();
+  const BladeSweep sweep = BladeSweep::through(found.shape.blades).value();
+  double largest = 0;
+  for (int i = 1; i < 20; ++i)
+    for (int k = 1; k < 20; ++k) {
+      const Eigen::Vector3d p =
+          surface.value(surface.knotsU.front() + (surface.knotsU.back() - surface.knotsU.front()) * k / 20.0,
+                        surface.knotsV.front() + (surface.knotsV.back() - surface.knotsV.front()) * i / 20.0);
+      const std::vector<Eigen::Vector2d> blade = elasticaOf(sweep.at(p.y())).value().sample(2001);
+      double nearest = 1e9;
+      for (const Eigen::Vector2d& q : blade)
+        nearest = std::min(nearest, (q - Eigen::Vector2d(p.x(), p.z())).norm());
+      largest = std::max(largest, nearest);
+    }
+  EXPECT_LE(largest, found.deviation + 0.2) << "half of the spacing of the points comes to it";
+  EXPECT_LE(found.deviation, 0.2);
 }
 
 TEST(KeyBlades, CurvesThatNoElasticaComesNearToSayHowFarTheyAreOff) {

@@ -10,12 +10,20 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/shape/key_blades.h"
 #include "bw/core/text/number_text.h"
+#include "shape/blade_distance.h"
 
 namespace bw {
 
-namespace {
+double detail::distanceOf(const KeyBlade& blade, const std::vector<Eigen::Vector2d>& samples) {
+  const Result<Elastica> elastica = elasticaOf(blade);
+  if (!elastica) return std::numeric_limits<double>::infinity();
+  const std::vector<Eigen::Vector2d> own = elastica->sample(kBladeSamples);
+  double largest = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) largest = std::max(largest, (own[i] - samples[i]).norm());
+  return largest;
+}
 
-constexpr int kSamples = 65;  // of a curve and of its blade, at even shares of their lengths
+namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -24,16 +32,6 @@ struct Wanted {
   std::vector<Points> samples;
   std::vector<KeyBlade> fitted;
 };
-
-/// The largest distance of points at the same share of the length: no smaller than that of the curves.
-double distanceOf(const KeyBlade& blade, const Points& points) {
-  const Result<Elastica> elastica = elasticaOf(blade);
-  if (!elastica) return std::numeric_limits<double>::infinity();
-  const Points own = elastica->sample(kSamples);
-  double largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) largest = std::max(largest, (own[i] - points[i]).norm());
-  return largest;
-}
 
 struct Worst {
   double deviation = 0;
@@ -48,7 +46,7 @@ Result<Worst> worstOf(const Wanted& wanted, const std::vector<std::size_t>& keys
   if (!sweep) return tl::unexpected<Error>(sweep.error());
   Worst worst;
   for (std::size_t i = 0; i < wanted.samples.size(); ++i) {
-    const double off = distanceOf(sweep->at(wanted.fitted[i].y), wanted.samples[i]);
+    const double off = detail::distanceOf(sweep->at(wanted.fitted[i].y), wanted.samples[i]);
     if (off > worst.deviation) worst = {off, i};
   }
   return worst;
@@ -86,7 +84,7 @@ Result<Wanted> fitAll(const std::vector<PlacedCurve>& curves, const RunContext& 
     // The angle of a curve is one of many, a turn apart: that next to its neighbour's.
     if (i > 0) blade.angle += 2 * kPi * std::round((wanted.fitted.back().angle - blade.angle) / (2 * kPi));
     wanted.fitted.push_back(rounded(blade));
-    wanted.samples.push_back(curves[i].curve.sample(kSamples));
+    wanted.samples.push_back(curves[i].curve.sample(detail::kBladeSamples));
   }
   return wanted;
 }

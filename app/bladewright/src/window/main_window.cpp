@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "bw/core/shape/surface_blades.h"
 #include "bw/pipeline/moulds.h"
 #include "controls/numbers.h"
 #include "window/start_page.h"
@@ -155,8 +156,7 @@ void MainWindow::takeKeyBlades(pipeline::Told told) {
   const std::shared_ptr<const pipeline::Evaluation> shown = bench_.shown();
   const pipeline::CutEvaluation* cut = bench_.shownCut();
   if (!cut || !bench_.current()) return;
-  // What the tolerance leaves is needed for the cut of the surface itself.
-  const double tolerance = bench_.design().process.tolerance / 4;
+  const double tolerance = kKeyBladeShare * bench_.design().process.tolerance;
   const Result<pipeline::CutKeyBlades> keys = pipeline::keyBladesOf(*cut, told, tolerance, {});
   if (!keys) return bench_.tell(Topic::other, keys.error());
   Result<Design> changed = pipeline::withSurface(*shown, cut->id, keys->surface);

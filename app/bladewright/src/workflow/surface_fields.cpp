@@ -16,7 +16,9 @@
 #include "bw/core/design/blade_bindings.h"
 #include "bw/core/shape/blade_ends.h"
 #include "bw/core/shape/resample.h"
+#include "bw/core/shape/surface_blades.h"
 #include "bw/core/text/number_text.h"
+#include "controls/numbers.h"
 #include "workflow/section_edits.h"
 
 namespace bw::app {
@@ -57,27 +59,6 @@ std::string structureOf(const DesignedSurface& surface) {
   if (const auto* blades = std::get_if<BladesSurface>(&surface.shape))
     text += " " + std::to_string(blades->blades.size());
   return text;
-}
-
-/// The fewest blades that come near to curves of a surface across the travel.
-Result<SurfaceShape> bladesAcross(const std::function<Eigen::Vector3d(double, double)>& point) {
-  constexpr int kCurves = 17, kPoints = 65;
-  constexpr double kNear = 1;  // mm
-  std::vector<PlacedCurve> curves;
-  for (int i = 0; i < kCurves; ++i) {
-    std::vector<Eigen::Vector2d> points;
-    const double v = double(i) / (kCurves - 1);
-    for (int k = 0; k < kPoints; ++k) {
-      const Eigen::Vector3d p = point(double(k) / (kPoints - 1), v);
-      points.emplace_back(p.x(), p.z());
-    }
-    Result<PlanarCurve> curve = cubicSplineThrough(points);
-    if (!curve) return tl::unexpected<Error>(curve.error());
-    curves.push_back({point(0.5, v).y(), std::move(*curve)});
-  }
-  Result<FewestBlades> found = fewestBlades(curves, kNear);
-  if (!found) return tl::unexpected<Error>(found.error());
-  return BladesSurface{std::move(found->blades)};
 }
 
 /// The points of a section of another kind that looks like the one before.
@@ -128,7 +109,6 @@ Result<SurfaceShape> shapeOfKind(int kind, const SplineSurface& before) {
                               shortText(center, 6) + ")/" + shortText(half, 6) + ")^2",
                           {}};
   }
-  if (kind == 3) return bladesAcross(point);
   SectionsSurface surface;
   for (const double v : {0.0, 0.5, 1.0}) {
     SectionCurve section{point(0, v).y(), SectionCurve::Kind::spline, {}};
@@ -585,10 +565,26 @@ void SurfaceFields::changeKind(int kind) {
     refresh();
     return;
   }
-  Result<SurfaceShape> shape = shapeOfKind(kind, *before);
-  if (shape) return replace(tr("Change kind of surface"), std::move(*shape));
-  bench_.tell(Topic::other, shape.error());
-  refresh();
+  const double near = kKeyBladeShare * bench_.design().process.tolerance;
+  QString told;
+  Severity severity = Severity::info;
+  Result<SurfaceShape> shape = [&]() -> Result<SurfaceShape> {
+    if (kind != 3) return shapeOfKind(kind, *before);
+    Result<SurfaceBlades> found = fewestBladesOf(*before, near);
+    if (!found) return tl::unexpected<Error>(found.error());
+    if (found->deviation > near) severity = Severity::warning;
+    told = tr("%1 key blades, within %2 of the surface that they were made from (the farthest at y = %3)")
+               .arg(found->shape.blades.size())
+               .arg(lengthText(found->deviation), QString::fromStdString(shortText(found->worst, 6)));
+    return std::move(found->shape);
+  }();
+  if (!shape) {
+    bench_.tell(Topic::other, shape.error());
+    return refresh();
+  }
+  replace(tr("Change kind of surface"), *shape);
+  // Nothing of one that was refused, which is told.
+  if (!told.isEmpty() && bench_.source().surface->shape == *shape) bench_.tell(Topic::other, severity, told);
 }
 
 void SurfaceFields::changeCounts(int columns, int rows) {
