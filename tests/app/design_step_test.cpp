@@ -9,6 +9,7 @@
 #include "controls/fields.h"
 #include "window_fixture.h"
 #include "workflow/surface_fields.h"
+#include "workflow/workflow_panel.h"
 
 namespace bw::app {
 namespace {
@@ -140,6 +141,41 @@ TEST_F(DesignStep, VariablesAreNumbersAndSliders) {
   ASSERT_TRUE(settle());
   EXPECT_FALSE(find<NumberField>("amplitude"));
   EXPECT_TRUE(find<ChoiceField>("Faces"));
+}
+
+TEST_F(DesignStep, EscapeGivesTheDragOfASliderUp) {
+  open("ripple-along");
+  // A value between two steps of the slider, and a computation that Esc would stop.
+  type<NumberField>("amplitude", "25.13");
+  auto* best = window().workflow().findChild<QCheckBox*>("bestLength");
+  ASSERT_TRUE(best);
+  QTest::mouseClick(best, Qt::LeftButton, {}, QPoint(10, best->height() / 2));
+  ASSERT_TRUE(bench().design().blade.autoLength);
+  ASSERT_TRUE(settle());
+  const Design before = bench().design();
+  const int steps = bench().document().undoStack().count();
+  auto* slider = find<HandSlider>("amplitude");
+  ASSERT_TRUE(slider);
+  const int stood = slider->value();
+  window().workflow().ensureWidgetVisible(slider);
+  const QPoint from(slider->width() / 2, slider->height() / 2);
+  QTest::mousePress(slider, Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 6; ++i) QTest::mouseMove(slider, from + QPoint(10 * i, 0));
+  EXPECT_GT(bench().design().variables[0].value, 30);
+  EXPECT_TRUE(bench().runner().busy());
+  EXPECT_EQ(QApplication::focusWidget(), slider);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(bench().document().undoStack().count(), steps);
+  EXPECT_EQ(slider->value(), stood);
+  EXPECT_EQ(find<NumberField>("amplitude")->value(), 25.13);
+  // The hand may go on: nothing hangs on it.
+  QTest::mouseMove(slider, from + QPoint(90, 0));
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(90, 0));
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(slider->value(), stood);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << "the computation of the design was stopped";
 }
 
 TEST_F(DesignStep, AFormulaIsTakenOrRefusedWithItsCharacter) {

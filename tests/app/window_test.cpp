@@ -51,6 +51,24 @@ TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   EXPECT_EQ(stationCount(), 20u);
 }
 
+TEST_F(WindowTest, EscapeGivesTheDragOfTheStationSliderUp) {
+  openPanel();
+  auto* slider = find<HandSlider>("Number of stations");
+  ASSERT_TRUE(slider);
+  window().workflow().ensureWidgetVisible(slider);
+  const QPoint from(int(slider->width() * 0.4), slider->height() / 2);
+  QTest::mousePress(slider, Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 8; ++i) QTest::mouseMove(slider, from + QPoint(4 * i, 0));
+  EXPECT_NE(bench().design().cut().sections.stations, 20);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(32, 0));
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_EQ(stationCount(), 20u);
+}
+
 TEST_F(WindowTest, CountsStationsByTheTolerance) {
   openPanel();
   auto* mode = find<ChoiceField>("Stations");

@@ -3,6 +3,7 @@
 #include "controls/fields.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "controls/slider_escape.h"
 #include "controls/theme.h"
 
 namespace bw::app {
@@ -28,7 +30,39 @@ constexpr char kHead[] = "foldHead", kLabel[] = "lineLabel";
 constexpr int kFieldWidth = 132;
 constexpr int kShortTextRole = Qt::UserRole + 100;
 
+/// Sees the keys of a slider before the slider does.
+class SliderEscape : public QObject {
+ public:
+  SliderEscape(HandSlider& slider, std::function<std::function<void()>()> grab)
+      : QObject(&slider), slider_(slider) {
+    connect(&slider, &HandSlider::grabbed, this, [this, grab = std::move(grab)] { putBack_ = grab(); });
+    slider.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
+    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !slider_.held()) return false;
+    event->accept();
+    // Else Esc would be the window's, and stop the computation.
+    if (event->type() == QEvent::ShortcutOverride) return true;
+    const QPointF at = slider_.rect().center();
+    QMouseEvent release(QEvent::MouseButtonRelease, at, slider_.mapToGlobal(at), Qt::LeftButton, {}, {});
+    QCoreApplication::sendEvent(&slider_, &release);
+    putBack_();
+    return true;
+  }
+
+ private:
+  HandSlider& slider_;
+  std::function<void()> putBack_;
+};
+
 }  // namespace
+
+void putBackByEscape(HandSlider& slider, std::function<std::function<void()>()> grab) {
+  new SliderEscape(slider, std::move(grab));
+}
 
 ValueLabel::ValueLabel(QWidget* parent) : QLabel(parent) {
   setTextInteractionFlags(Qt::TextSelectableByMouse);

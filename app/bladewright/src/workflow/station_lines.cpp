@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controls/slider_escape.h"
 #include "workflow/bound_number.h"
 
 namespace bw::app {
@@ -70,6 +71,13 @@ void StationLines::addSlider(FormColumn* column) {
   slider_->setAccessibleName(tr("Number of stations"));
   slider_->setToolTip(tr("Number of stations"));
   connect(slider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
+  putBackByEscape(*slider_, [this] {
+    return [this, was = bench_.document().design()] {
+      bench_.editDesign(
+          tr("Change stations"), [&was](Design& design) { design = *was; }, dragId_);
+      refresh();
+    };
+  });
   connect(slider_, &HandSlider::moved, this, [this](int value) {
     const int count = stationsOfSlider(value);
     const bool dragging = slider_->held();

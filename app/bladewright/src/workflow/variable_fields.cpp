@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "bw/core/text/typed_number.h"
+#include "controls/slider_escape.h"
 #include "workflow/vary_dialog.h"
 
 namespace bw::app {
@@ -148,6 +149,13 @@ QWidget* VariableFields::makeSliderLine(Line& line, const Variable& variable) {
   line.slider->setAccessibleName(name);
   line.slider->setToolTip(name);
   connect(line.slider, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
+  putBackByEscape(*line.slider, [this, name] {
+    return [this, name, was = bench_.document().design()] {
+      bench_.editDesign(
+          tr("Change %1").arg(name), [&was](Design& design) { design = *was; }, dragId_);
+      refresh();
+    };
+  });
   connect(line.slider, &HandSlider::moved, this, [this, v = variable, slider = line.slider](int value) {
     change(v.name, value == kSteps ? v.max : v.min + (v.max - v.min) * value / kSteps, slider->held());
   });
