@@ -69,6 +69,19 @@ TEST_F(WindowTest, EscapeGivesTheDragOfTheStationSliderUp) {
   EXPECT_EQ(stationCount(), 20u);
 }
 
+TEST_F(WindowTest, BeginsWithinItsScreen) {
+  window_ = std::make_unique<MainWindow>(*settings_, theme(), fs::path());
+  window().show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window()));
+  const QRect room = window().screen()->availableGeometry(), place = window().frameGeometry();
+  EXPECT_LE(place.width(), room.width());
+  EXPECT_LE(place.height(), room.height());
+  // Nor is it smaller than it has to be.
+  EXPECT_GE(window().width(), std::min(1440, room.width() - 40));
+  EXPECT_GE(window().height(), std::min(900, room.height() - 40));
+  picture("begins");
+}
+
 TEST_F(WindowTest, CountsStationsByTheTolerance) {
   openPanel();
   auto* mode = find<ChoiceField>("Stations");

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QScreen>
 
 #include <algorithm>
 
@@ -16,6 +17,8 @@ namespace bw::app {
 
 namespace {
 
+constexpr QSize kUsualSize(1440, 900);
+constexpr QSize kFrame(16, 40);  // room for what the desktop puts around a window
 constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220, kTreeHeight = 180;
 constexpr double kPanelThickness = 30;  // mm, that is proposed
 constexpr int kLabelledTabs = 480;      // narrower tabs leave the label beside them out
@@ -113,7 +116,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   busyTimer_.setInterval(kBusyDelay);
   connect(&busyTimer_, &QTimer::timeout, this, &MainWindow::refreshState);
 
-  resize(1440, 900);
+  resize(kUsualSize.boundedTo(screen()->availableSize() - kFrame));
   restoreLayout();
   scene::Style style;
   style[scene::Kind::cut].map = "deviation";
@@ -261,7 +264,7 @@ void MainWindow::setNavigation(model::MouseChoice mouse) {
 void MainWindow::restoreLayout() {
   if (const QByteArray state = settings_.layout("window"); !state.isEmpty()) restoreGeometry(state);
   if (!columns_->restoreState(settings_.layout("columns")))
-    columns_->setSizes({kLeftWidth, 1440 - kLeftWidth - kRightWidth, kRightWidth});
+    columns_->setSizes({kLeftWidth, width() - kLeftWidth - kRightWidth, kRightWidth});
   if (!middle_->restoreState(settings_.layout("middle"))) middle_->setSizes({600, kBottomHeight});
   if (!right_->restoreState(settings_.layout("right"))) right_->setSizes({kTreeHeight, 600});
 }
