@@ -8,6 +8,8 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include <set>
+
 #include "bw/core/design/design_versions.h"
 #include "controls/fields.h"
 #include "plots/motion_view.h"
@@ -145,6 +147,58 @@ class NothingIsCutOff : public WindowTest {
     picture("cut-off-measure-" + std::to_string(window().width()));
   }
 };
+
+/// Looks at every picture that the window draws of a label: the shortest moment of a cut one is seen.
+class PaintedLabels : public QObject {
+ public:
+  PaintedLabels() { qApp->installEventFilter(this); }
+  std::set<std::string> cut;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const auto* label = event->type() == QEvent::Paint ? qobject_cast<QLabel*>(watched) : nullptr;
+    if (label && !label->wordWrap() && label->textFormat() != Qt::RichText &&
+        !label->text().startsWith('<') &&
+        label->fontMetrics().size(0, label->text()).width() > label->contentsRect().width())
+      cut.insert(label->text().toStdString());
+    return false;
+  }
+};
+
+TEST_F(NothingIsCutOff, WhileTheFirstResultComes) {
+  makeWindow({1920, 1080});
+  const PaintedLabels painted;
+  for (const char* example : {"single-block", "three-block-wall"}) {
+    ASSERT_TRUE(window().openExample(example));
+    ASSERT_TRUE(settleInFull());
+  }
+  for (const std::string& text : painted.cut) ADD_FAILURE() << text;
+}
+
+TEST_F(NothingIsCutOff, AndThePanelKeepsItsWidth) {
+  for (const QSize& size : {QSize(960, 600), QSize(1920, 1080)}) {
+    makeWindow(size);
+    for (const char* example : {"single-block", "two-crossing-cuts", "twist", "key-blade-fan"}) {
+      SCOPED_TRACE(example);
+      ASSERT_TRUE(window().openExample(example));
+      QTest::qWait(20);
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+      const int width = window().workflow().width();
+      const int left = window().sceneView().mapTo(&window(), QPoint()).x();
+      ASSERT_TRUE(settleInFull());
+      QTest::qWait(20);
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+      for (QLabel* label : window().workflow().findChildren<QLabel*>())
+        if (label->isVisible()) expectWhole(*label);
+      EXPECT_EQ(window().workflow().width(), width);
+      EXPECT_EQ(window().sceneView().mapTo(&window(), QPoint()).x(), left) << "the picture jumped";
+      EXPECT_LE(window().sceneView().mapTo(&window(), QPoint(window().sceneView().width(), 0)).x(),
+                window().sideTabs().mapTo(&window(), QPoint()).x())
+          << "the panel lies over the picture";
+    }
+    picture("panel-width-" + std::to_string(size.width()));
+  }
+}
 
 TEST_F(NothingIsCutOff, OnASmallScreen) {
   makeWindow({960, 600});

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
+#include <QMenu>
+
 #include "window_fixture.h"
 
 namespace bw::app {
@@ -67,6 +69,31 @@ TEST_F(WindowTest, EscapeGivesTheDragOfTheStationSliderUp) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
   EXPECT_EQ(stationCount(), 20u);
+}
+
+TEST_F(WindowTest, EscapeGivesTheDragOfAnOpacityUp) {
+  openPanel();
+  HandSlider* slider = nullptr;
+  for (HandSlider* each : window().findChildren<HandSlider*>())
+    if (each->accessibleName() == "Opacity of Cut surface") slider = each;
+  ASSERT_TRUE(slider);
+  auto* menu = qobject_cast<QMenu*>(slider->window());
+  ASSERT_TRUE(menu);
+  menu->popup(window().mapToGlobal(QPoint(400, 100)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slider->isVisible(); }, kPatience));
+  const auto opacity = [this] { return window().sceneView().sceneStyle()[scene::Kind::cut].opacity; };
+  const double before = opacity();
+  const int stood = slider->value();
+  const QPoint from(slider->width() / 2, slider->height() / 2);
+  QTest::mousePress(slider, Qt::LeftButton, {}, from);
+  QTest::mouseMove(slider, from - QPoint(30, 0));
+  EXPECT_NE(opacity(), before);
+  QTest::keyClick(slider, Qt::Key_Escape);
+  EXPECT_EQ(opacity(), before);
+  EXPECT_EQ(slider->value(), stood);
+  EXPECT_TRUE(menu->isVisible());
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, from - QPoint(30, 0));
+  menu->close();
 }
 
 TEST_F(WindowTest, BeginsWithinItsScreen) {

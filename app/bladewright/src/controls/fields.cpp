@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "controls/answer_line.h"
 #include "controls/slider_escape.h"
 #include "controls/theme.h"
 
@@ -334,6 +335,15 @@ QLabel* makeNote(const QString& text, QWidget* parent) {
   label->setObjectName("secondary");
   label->setFont(Theme::secondaryFont());
   label->setWordWrap(true);
+  return label;
+}
+
+QLabel* makeAnswer() {
+  auto* label = new QLabel;
+  label->setObjectName("secondary");
+  label->setWordWrap(true);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label->setMinimumHeight(2 * QFontMetrics(Theme::bodyFont()).lineSpacing());
   return label;
 }
 

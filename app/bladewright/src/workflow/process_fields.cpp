@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "controls/answer_line.h"
+
 namespace bw::app {
 
 namespace {
@@ -89,8 +91,7 @@ void ProcessFields::addMargins(FormColumn* column, const Theme& theme) {
     bench_.editDesign(tr("Change stability margin"),
                       [margin](Design& design) { design.process.margin = margin; });
   });
-  margins_ = column->addWide(new QLabel);
-  margins_->setObjectName("secondary");
+  margins_ = column->addWide(makeAnswer());
 }
 
 void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {

@@ -11,6 +11,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/design/cut_list.h"
 #include "bw/core/text/number_text.h"
+#include "controls/answer_line.h"
 #include "workbench/block_layout.h"
 #include "workflow/cut_length.h"
 
@@ -82,8 +83,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
       }
     });
   });
-  lengths_ = column->addWide(new QLabel);
-  lengths_->setObjectName("secondary");
+  lengths_ = column->addWide(makeAnswer());
   autoLength_ =
       column->addCheck(tr("Best length"), tr("Takes the length with which the blade rests most firmly"));
   autoLength_->setObjectName("bestLength");

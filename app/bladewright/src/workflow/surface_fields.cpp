@@ -18,6 +18,7 @@
 #include "bw/core/shape/resample.h"
 #include "bw/core/shape/surface_blades.h"
 #include "bw/core/text/number_text.h"
+#include "controls/layout.h"
 #include "controls/numbers.h"
 #include "workflow/section_edits.h"
 
@@ -411,7 +412,9 @@ void SurfaceFields::addSectionFields(FormColumn* column, std::size_t i, const Se
 
 void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, std::size_t count) {
   auto* buttons = new QWidget;
-  auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
+  auto* row = new FlowLayout(buttons);
+  row->setContentsMargins({});
+  row->setSpacing(4);
   const auto add = [&](const QString& text, const QString& name, const QString& tip, auto run) {
     QPushButton* button = makeButton(text, tip, this, run);
     button->setAccessibleName(name.arg(curveTitle(bench_, section)));
@@ -430,7 +433,6 @@ void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, s
                           count > 2 ? tr("Takes the section away") : tr("A loft keeps two sections"),
                           [this, section] { removeSection(bench_, section); });
   less->setEnabled(count > 2);
-  row->addStretch();
   column->addWide(buttons);
 }
 
