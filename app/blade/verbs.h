@@ -46,6 +46,11 @@ bool isPointTable(const std::string& file);
 /// Adds the switch --despite-errors, which has robot programs of a design with errors written and marked.
 void addDespiteErrors(CLI::App& verb, bool& despiteErrors);
 
+/// "1 block", "2 blocks".
+inline std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// Name, version and the versions of the libraries.
 std::string versionText();
 

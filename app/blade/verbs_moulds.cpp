@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "bw/core/text/typed_number.h"
 #include "bw/pipeline/moulds.h"
 #include "verbs.h"
 
@@ -17,20 +18,23 @@ namespace {
 
 struct MouldsOptions {
   std::string file, out;
-  double thickness = 0;  ///< mm
+  std::string thickness;  ///< as it was typed
 };
 
 int runMoulds(const Session& session, const MouldsOptions& options) {
   const Result<Design> opened = session.openDesign(options.file);
   if (!opened) return session.complain(opened.error());
   if (Result<void> ok = session.mayWriteDesign(options.out); !ok) return session.complain(ok.error());
+  const Result<double> thickness = readTypedNumber(options.thickness, {"mm"});
+  if (!thickness)
+    return session.complain({ErrorCode::badInput, "--thickness: " + thickness.error().message, "thickness"});
   const pipeline::Outcome outcome = pipeline::evaluate(*opened, nullptr, session.context());
   if (outcome.error) return session.complain(*outcome.error);
-  Result<Design> design = pipeline::withUpperMoulds(outcome.evaluation, options.thickness);
+  Result<Design> design = pipeline::withUpperMoulds(outcome.evaluation, *thickness);
   if (!design) return session.complain(design.error());
   session.endProgress();
-  std::cerr << design->stock.size() - opened->stock.size() << " upper moulds for " << opened->stock.size()
-            << " blocks\n";
+  std::cerr << counted(design->stock.size() - opened->stock.size(), "upper mould") << " for "
+            << counted(opened->stock.size(), "block") << "\n";
   const Result<void> ok = session.writeDesign(std::move(*design), options.out);
   return ok ? int(kDone) : session.complain(ok.error());
 }
@@ -42,8 +46,9 @@ void addMouldsVerb(CLI::App& app, const Session& session, Work& work) {
       "moulds", "A design with a second block for each of its blocks: two moulds for a panel between them");
   const auto options = std::make_shared<MouldsOptions>();
   verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
-  verb->add_option("--thickness", options->thickness, "Of the panel, mm; its middle is the surface")
-      ->type_name("MM")
+  verb->add_option("--thickness", options->thickness,
+                   "Of the panel, mm or with a unit (3cm); its middle is the surface")
+      ->type_name("LENGTH")
       ->required();
   verb->add_option("--out", options->out, "The design that is written")->type_name("DESIGN")->required();
   verb->footer("Example:\n  blade moulds bump.bladewright --thickness 30 --out bump-moulds.bladewright");

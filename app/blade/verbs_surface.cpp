@@ -80,8 +80,9 @@ void tellSummary(const pipeline::Evaluation& e) {
     std::cerr << "joints: gap max " << shortText(e.joints.value->gapMax()) << " mm, kink max "
               << fixedText(toDegrees(e.joints.value->kinkMax()), 2) << "°; ";
   std::cerr << "angle max " << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius "
-            << radiusText(s.minRadius) << "; cutting time " << fixedText(all.cuttingTime, 0)
-            << " s; computed in " << fixedText(e.seconds.total, 2) << " s\n";
+            << radiusText(s.minRadius) << "; cutting time " << fixedText(all.cuttingTime, 0) << " s ("
+            << fixedText(all.runTime, 0) << " s with entry and exit); computed in "
+            << fixedText(e.seconds.total, 2) << " s\n";
 }
 
 /// Of the verbs that write results.

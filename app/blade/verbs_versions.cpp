@@ -21,10 +21,6 @@ struct VersionsOptions {
   std::string file, name, take, drop, out, format = "text";
 };
 
-std::string counted(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// The versions, each with its differences: then, and now.
 std::string versionsText(const Design& design, const std::string& file) {
   std::string text = printable(file) + ": " + counted(design.versions.size(), "version") + "\n";

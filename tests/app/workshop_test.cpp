@@ -98,7 +98,7 @@ TEST(Workshop, CutListAddsUpToTheReport) {
   const auto column = [&](const std::string& name) {
     return std::size_t(std::ranges::find(lines[0], name) - lines[0].begin());
   };
-  double block = 0, left = 0, waste = 0, time = 0, order = 0;
+  double block = 0, left = 0, waste = 0, time = 0, run = 0, order = 0;
   for (std::size_t i = 1; i <= 3; ++i) {
     const std::vector<std::string>& cells = lines[i];
     ASSERT_EQ(cells.size(), lines[0].size());
@@ -115,6 +115,9 @@ TEST(Workshop, CutListAddsUpToTheReport) {
     left += number(cells[column("left_l")]);
     waste += number(cells[column("waste_l")]);
     time += number(cells[column("cutting_time_s")]);
+    run += number(cells[column("run_time_s")]);
+    EXPECT_GT(number(cells[column("run_time_s")]), number(cells[column("cutting_time_s")]) + 0.5)
+        << "these blades are led into the foam and out of it";
     order += number(cells[column("to_order")]);
   }
   const std::vector<std::string>& total = lines[4];
@@ -127,6 +130,8 @@ TEST(Workshop, CutListAddsUpToTheReport) {
   EXPECT_NEAR(number(total[column("cutting_time_s")]), time, 0.2);
   EXPECT_NEAR(number(total[column("cutting_time_s")]), report["summary"]["cutting_time_s"].get<double>(),
               0.06);
+  EXPECT_NEAR(number(total[column("run_time_s")]), run, 0.2);
+  EXPECT_NEAR(number(total[column("run_time_s")]), report["summary"]["run_time_s"].get<double>(), 0.06);
   EXPECT_EQ(number(total[column("to_order")]), 3);
   EXPECT_EQ(order, 3) << "of each size the blocks of it";
 }

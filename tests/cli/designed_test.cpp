@@ -244,8 +244,12 @@ TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
 TEST(Designed, TwoMouldsAreMadeForAPanel) {
   const Folder folder;
   const std::string design = exampleIn(folder, "bump"), moulds = folder / "moulds.bladewright";
-  const Finished made = blade({"moulds", design, "--thickness", "30", "--out", moulds});
+  const Finished made = blade({"moulds", design, "--thickness", "3cm", "--out", moulds});
   ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("1 upper mould for 1 block\n"), std::string::npos) << made.err;
+  const std::string text = slurp(moulds);
+  for (const char* zero : {"-0.0,", "-0.0\n", "-0,", "-0\n"})
+    EXPECT_EQ(text.find(zero), std::string::npos) << text;
   const Finished run = blade({"design", moulds, "--out", folder / "out"});
   ASSERT_EQ(run.status, 0) << run.err;
   const json report = json::parse(slurp(folder / "out/report.json"));
@@ -254,7 +258,7 @@ TEST(Designed, TwoMouldsAreMadeForAPanel) {
   EXPECT_EQ(report["blocks"][1]["cuts"][0]["offset_mm"], 15.0);
   EXPECT_GT(report["summary"]["covered_percent"].get<double>(), 99.9);
   EXPECT_EQ(blade({"check", folder / "out"}).status, 0);
-  for (const char* thickness : {"0", "-3", "5000"})
+  for (const char* thickness : {"0", "-3", "5000", "3 kg", ""})
     EXPECT_EQ(blade({"moulds", design, "--thickness", thickness, "--out", moulds}).status, 2) << thickness;
   EXPECT_EQ(
       blade({"moulds", exampleIn(folder, "two-crossing-cuts"), "--thickness", "30", "--out", moulds}).status,

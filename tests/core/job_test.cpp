@@ -190,6 +190,19 @@ TEST(Job, MissingPresetsAreToldAndNotReplacedByOtherNumbers) {
   EXPECT_EQ(designToJson(*stored), whole);
 }
 
+TEST(Job, NoFileHasMinusZeros) {
+  Design design = *parseJob("{}");
+  design.stock.front().placement = BlockPlacement{{-0.0, 5, -0.0}, {600, 800, 500}, {-0.0, 0.5, -0.0}};
+  design.cuts.front().direction = Eigen::Vector3d(-0.0, 1, -0.0);
+  DesignedSurface surface;
+  surface.shape =
+      BladesSurface{{{-0.0, {-0.0, 1}, -0.0, 600, -0.0, {-0.0, -0.0}}, {800, {0, 1}, 0, 600, 0, {0, 0}}}};
+  design.sources.front().surface = surface;
+  const std::string text = designToJson(design);
+  EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
+  EXPECT_EQ(parseDesign(text)->stock, design.stock) << "it means the same";
+}
+
 TEST(Design, RoundTripsWithAnEmbeddedSource) {
   Design design;
   design.name = "Panel \"A\"";

@@ -59,6 +59,7 @@ DrawnDesign design(std::size_t cuts, std::size_t blocks = 1) {
       cut.bladeLength = 800;
       cut.stations = 33;
       cut.cuttingTime = 61.6;
+      cut.runTime = 130.2;
       cut.folder = "programs/strip-" + std::to_string(i);
       cut.removed = 24e6;
       block.cuts.push_back(cut);
@@ -123,7 +124,8 @@ TEST(BlockDrawing, TellsTheBlockAndItsCuts) {
                            "as it is placed: its top face up",
                            "from front to back",
                            "blade end L (left robot) at the left",
-                           "Blade 800 mm, 33 stations, 62 s",
+                           "Blade 800 mm, 33 stations",
+                           "62 s of cutting, 2:10 min with entry and exit",
                            "Takes off 24.0 l",
                            "Program: programs/strip-0",
                            "Block 72.0 l",

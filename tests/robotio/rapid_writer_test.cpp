@@ -55,6 +55,18 @@ TEST(RapidWriter, ReadsBackAsTheMotionItWasWrittenFrom) {
   }
 }
 
+TEST(RapidWriter, TellsHowLongTheBladeCutsAndHowLongItRuns) {
+  Motion motion = sample::motion(9, 40);
+  for (const std::size_t i : {1u, 2u, 7u}) motion.instants[i].station = -1;
+  const auto program = sample::rapid(motion, sample::cell());
+  ASSERT_TRUE(program) << program.error().message;
+  for (const ProgramFile& file : *program) {
+    const bool told = file.bytes.find("! 9 targets, 25.0 s of cutting (40.0 s with entry and exit), blade") !=
+                      std::string::npos;
+    EXPECT_EQ(told, file.path.ends_with(".mod")) << file.path;
+  }
+}
+
 TEST(RapidWriter, TimesThatAreNotRoundDoNotDriftApart) {
   Motion motion = sample::motion(400, 60);
   for (std::size_t i = 0; i < motion.instants.size(); ++i) motion.instants[i].time = double(i) * 0.123456789;

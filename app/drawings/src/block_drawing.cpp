@@ -56,6 +56,11 @@ std::string timeText(double seconds) {
   return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest + " min";
 }
 
+/// How long the blade cuts, and is on its way altogether.
+std::string timesText(double cutting, double run) {
+  return timeText(cutting) + " of cutting, " + timeText(run) + " with entry and exit";
+}
+
 /// One view of a block: its lines, mm in the plane of the view.
 struct DrawnView {
   View view;
@@ -320,9 +325,8 @@ void drawCut(PdfPages& pages, const Rectangle& room, const DrawnBlock& block, st
   say(cut.lies.empty() ? "Lay the block as it is placed: its top face up" : "Lay the block with " + cut.lies,
       3);
   say("Travel " + travelText(block, cut), 3);
-  say("Blade " + millimetres(cut.bladeLength) + " mm, " + std::to_string(cut.stations) + " stations, " +
-          timeText(cut.cuttingTime),
-      1);
+  say("Blade " + millimetres(cut.bladeLength) + " mm, " + std::to_string(cut.stations) + " stations", 1);
+  say(timesText(cut.cuttingTime, cut.runTime), 1);
   say(cut.removed ? "Takes off " + litres(*cut.removed) : "Takes off: not known", 1);
   say(cut.folder.empty() ? "No program" : "Program: " + cut.folder, 1);
 }
@@ -389,10 +393,14 @@ void drawFoot(PdfPages& pages, const DrawnDesign& design, const DrawnBlock& bloc
   say("x (to the right), y (to the back), z (up)");
   say("Corner at " + shortText(corner.x(), 6) + ", " + shortText(corner.y(), 6) + ", " +
       shortText(corner.z(), 6) + " of the design");
-  double time = 0;
-  for (const DrawnCut& cut : block.cuts) time += cut.cuttingTime;
-  say(std::to_string(block.cuts.size()) + (block.cuts.size() == 1 ? " cut, " : " cuts, ") + timeText(time) +
-      " of cutting");
+  double cutting = 0, run = 0;
+  for (const DrawnCut& cut : block.cuts) {
+    cutting += cut.cuttingTime;
+    run += cut.runTime;
+  }
+  say(std::to_string(block.cuts.size()) + (block.cuts.size() == 1 ? " cut, " : " cuts, ") +
+          timesText(cutting, run),
+      2);
   if (!mark.stays) say("No corner stays whole: renew the mark");
 
   if (block.part) {

@@ -34,11 +34,20 @@ std::array<long long, 3> orderedAs(const Box& block) {
   return size;
 }
 
-double timeOf(const BlockEvaluation& block) {
-  double time = 0;
-  for (const CutEvaluation& cut : block.cuts)
-    if (cut.motion.value) time += cut.motion.value->cuttingTime();
-  return time;
+/// s
+struct Times {
+  double cutting = 0;  ///< with the leads
+  double run = 0;      ///< with entry and exit, too
+};
+
+Times timesOf(const BlockEvaluation& block) {
+  Times times;
+  for (const CutEvaluation& cut : block.cuts) {
+    if (!cut.motion.value) continue;
+    times.cutting += cut.motion.value->cuttingTime();
+    times.run += cut.motion.value->duration();
+  }
+  return times;
 }
 
 std::string vector(const Eigen::Vector3d& v) {
@@ -58,9 +67,10 @@ std::string volumes(double block, std::optional<double> left) {
 std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
   std::string text =
       "block,size_x_mm,size_y_mm,size_z_mm,corner_x_mm,corner_y_mm,corner_z_mm,cuts,block_l,left_l,waste_l,"
-      "waste_percent,cutting_time_s,same_as,to_order\n";
+      "waste_percent,cutting_time_s,run_time_s,same_as,to_order\n";
   std::size_t cuts = 0;
-  double whole = 0, time = 0;
+  double whole = 0;
+  Times all;
   std::optional<double> allLeft = 0;
   std::vector<const BlockEvaluation*> blocks;
   for (const BlockEvaluation& block : e.blocks)
@@ -72,19 +82,22 @@ std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
     const std::optional<geometry::Part>& solid = block.part.value->solid;
     const double volume = solid ? solid->blockVolume() : placed.size.prod();
     const std::optional<double> left = solid ? std::optional(solid->volume()) : std::nullopt;
+    const Times times = timesOf(block);
     const BlockEvaluation* first = *std::ranges::find(blocks, sizeOf(one), sizeOf);
     text += cellOf(block.id) + "," + vector(placed.size) + "," + vector(placed.frame.origin) + "," +
             std::to_string(block.cuts.size()) + "," + volumes(volume, left) + "," +
-            fixedText(timeOf(block), 1) + "," + cellOf(first->id) + ",";
+            fixedText(times.cutting, 1) + "," + fixedText(times.run, 1) + "," + cellOf(first->id) + ",";
     if (first == one) text += std::to_string(std::ranges::count(blocks, sizeOf(one), sizeOf));
     text += "\n";
     cuts += block.cuts.size();
     whole += volume;
-    time += timeOf(block);
+    all.cutting += times.cutting;
+    all.run += times.run;
     allLeft = allLeft && left ? std::optional(*allLeft + *left) : std::nullopt;
   }
   return text + "total,,,,,,," + std::to_string(cuts) + "," + volumes(whole, allLeft) + "," +
-         fixedText(time, 1) + ",," + std::to_string(blocks.size()) + "\n";
+         fixedText(all.cutting, 1) + "," + fixedText(all.run, 1) + ",," + std::to_string(blocks.size()) +
+         "\n";
 }
 
 }  // namespace bw::pipeline

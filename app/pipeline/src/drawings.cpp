@@ -36,6 +36,7 @@ drawings::DrawnCut drawnCut(const Evaluation& e, const Strip& strip,
   out.bladeLength = result.motion.bladeLength;
   out.stations = result.size();
   out.cuttingTime = result.motion.cuttingTime();
+  out.runTime = result.motion.duration();
   out.folder = programFolderOf(e, strip, programs);
   const std::vector<BladePose>& poses = result.sweep.poses;
   out.blade = poses.front().bladePoints(kPointsOfBlade);

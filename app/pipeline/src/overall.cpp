@@ -23,6 +23,7 @@ Overall overallOf(const Evaluation& e) {
     const double weight = result.coverage.area, stations = double(result.size());
     all.stations += result.size();
     all.cuttingTime += result.motion.cuttingTime();
+    all.runTime += result.motion.duration();
     all.uncovered = std::max(all.uncovered, result.coverage.distance);
     followed = followed && !result.way.instants.empty();
     all.betweenMax = std::max(all.betweenMax.value_or(0), result.between.deviationMax);

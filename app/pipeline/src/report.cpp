@@ -216,7 +216,8 @@ ordered_json summaryJson(const Evaluation& e) {
                           {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},
                           {"speed_ratio_min", s.speedRatioMin},
                           {"min_radius_mm", radius},
-                          {"cutting_time_s", all.cuttingTime}};
+                          {"cutting_time_s", all.cuttingTime},
+                          {"run_time_s", all.runTime}};
   if (e.joints.value && !e.joints.value->joints.empty()) {
     summary["joint_gap_max_mm"] = e.joints.value->gapMax();
     summary["joint_angle_max_deg"] = toDegrees(e.joints.value->kinkMax());

@@ -115,6 +115,7 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
   page.row({"Cutting time, leads included", fixedText(all.cuttingTime, 0) + " s"});
+  page.row({"Time with entry and exit, too", fixedText(all.runTime, 0) + " s"});
 }
 
 void parameters(Page& page, const Evaluation& e) {

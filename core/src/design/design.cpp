@@ -506,6 +506,15 @@ void writeBindings(const std::map<std::string, BoundNumber>& bindings, nlohmann:
   }
 }
 
+/// No file has -0, which means nothing and reads as a slip.
+void dropMinusZeros(nlohmann::ordered_json& value) {
+  if (value.is_structured()) {
+    for (nlohmann::ordered_json& entry : value) dropMinusZeros(entry);
+  } else if (value.is_number_float() && value.get<double>() == 0) {
+    value = 0.0;
+  }
+}
+
 }  // namespace
 
 std::string designToJson(const Design& design) {
@@ -574,6 +583,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
   writeBindings(design.bindings, object);
   writeMarks(design, object);
+  dropMinusZeros(object);
   if (!design.versions.empty()) object["versions"] = versionsJson(design);
   return object;
 }

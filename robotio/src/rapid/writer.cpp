@@ -45,6 +45,17 @@ std::string rotationText(const Eigen::Quaterniond& q) {
          fixedText(q.y(), kQuaternionDecimals) + "," + fixedText(q.z(), kQuaternionDecimals) + "]";
 }
 
+/// How long the blade cuts, and where it has ways in and out, how long with these.
+std::string timesText(const ProgramPlan& plan) {
+  constexpr double kSame = 0.05;  // s
+  double run = 0;
+  for (const ProgramMove& move : plan.moves)
+    if (move.role == MoveRole::cut) run += move.duration;
+  const std::string cutting = fixedText(plan.cuttingTime, 1) + " s of cutting";
+  if (run - plan.cuttingTime < kSame) return cutting;
+  return cutting + " (" + fixedText(run, 1) + " s with entry and exit)";
+}
+
 std::string poseText(const Pose& pose) {
   return "[" + positionText(pose.position) + "," + rotationText(pose.rotation.normalized()) + "]";
 }
@@ -171,8 +182,8 @@ class TaskWriter {
     mark(out);
     out.line(1, "! Bladewright: the " + endName(end_) + " end of the blade, for " + ascii(task_.robot) +
                     " in the cell " + ascii(cell_.name) + ".");
-    out.line(1, "! " + std::to_string(targets_) + " targets, " + fixedText(plan_.cuttingTime, 1) +
-                    " s of cutting, blade length " + fixedText(plan_.bladeLength, 2) + " mm.");
+    out.line(1, "! " + std::to_string(targets_) + " targets, " + timesText(plan_) + ", blade length " +
+                    fixedText(plan_.bladeLength, 2) + " mm.");
     for (const std::string& line : before_) out.line(1, "! BEFORE: " + ascii(line) + ".");
     out.line(1, "! Start only with all robots at home: the first move is not synchronised.");
     out.line(1, "! confdata is [0,0,0,0] and not verified (ConfL is off): check the axis");

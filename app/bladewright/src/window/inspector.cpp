@@ -217,7 +217,8 @@ void Inspector::makeResult() {
               [this](const CutResult&) { return speedText(bench_.shown()->design.process.cuttingSpeed); });
   add(tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), ratioText,
       &SweepSummary::speedRatioMin, &SweepLimits::speed);
-  addOfResult(column, tr("Cutting time"), tr("Minutes and seconds, leads included"),
+  addOfResult(column, tr("Cutting time"),
+              tr("Minutes and seconds, leads included; entry and exit come to it"),
               [](const CutResult& result) { return timeText(result.motion.cuttingTime()); });
   column->addHeading(tr("Fit"));
   add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,

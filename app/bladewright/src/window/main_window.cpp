@@ -185,14 +185,16 @@ void MainWindow::makeMoulds() {
   if (!thickness) return;
   const Result<Design> moulds = told(pipeline::withUpperMoulds(*shown, *thickness));
   if (!moulds) return;
+  const auto counted = [](std::size_t count, const QString& one, const QString& many) {
+    return QString::number(count) + " " + (count == 1 ? one : many);
+  };
   const std::size_t blocks = bench_.design().stock.size();
   bench_.editDesign(tr("Two moulds for a panel"), [&moulds](Design& design) { design = *moulds; });
   if (bench_.design() != *moulds) return;  // something of it is locked, which is told
   bench_.tell(Topic::other, Severity::info,
-              tr("%1 upper moulds for %2 blocks: the foam of both stands back from the surface by %3")
-                  .arg(moulds->stock.size() - blocks)
-                  .arg(blocks)
-                  .arg(lengthText(*thickness / 2)));
+              tr("%1 for %2: the foam of both stands back from the surface by %3")
+                  .arg(counted(moulds->stock.size() - blocks, tr("upper mould"), tr("upper moulds")),
+                       counted(blocks, tr("block"), tr("blocks")), lengthText(*thickness / 2)));
 }
 
 void MainWindow::showMeasurePage() {

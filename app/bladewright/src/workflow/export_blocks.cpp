@@ -133,7 +133,7 @@ void ExportBlocks::rebuild() {
             [this, block](bool on) { bench_.setBlockWanted(block, on); });
     line.time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     line.time->setObjectName("secondary");
-    line.time->setToolTip(tr("Cutting time, leads included"));
+    line.time->setToolTip(tr("Cutting time, leads included; entry and exit come to it"));
     line.word->setAccessibleName(tr("State of %1").arg(line.wanted->text()));
     const int row = int(lines_.size());
     grid_->addWidget(line.wanted, row, 0);

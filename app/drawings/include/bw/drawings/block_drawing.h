@@ -31,7 +31,8 @@ struct DrawnCut {
   std::vector<Polyline> across = {};                     ///< blades at some stations, where they cut
   double bladeLength = 0;                                ///< mm
   std::size_t stations = 0;
-  double cuttingTime = 0;                        ///< s
+  double cuttingTime = 0;                        ///< s, with the leads, without entry and exit
+  double runTime = 0;                            ///< s, with these
   std::string folder = {};                       ///< of its program; empty where there is none
   std::optional<double> removed = std::nullopt;  ///< mm³; empty where it is not known
 };

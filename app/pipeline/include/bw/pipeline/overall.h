@@ -18,7 +18,8 @@ struct Overall {
   /// does not run to its end, or was not run.
   std::optional<double> programMax = std::nullopt, programMean = std::nullopt, fromShown = std::nullopt;
   double covered = 1, uncovered = 0;  ///< share; mm
-  double cuttingTime = 0;             ///< s
+  double cuttingTime = 0;             ///< s, with the leads, without entry and exit
+  double runTime = 0;                 ///< s, with these
   std::size_t stations = 0;
 };
 Overall overallOf(const Evaluation& evaluation);
