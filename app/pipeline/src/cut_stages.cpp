@@ -15,6 +15,7 @@
 #include "bw/core/shape/moved_sections.h"
 #include "bw/core/simulation/run_findings.h"
 #include "bw/core/simulation/run_kerf.h"
+#include "bw/core/sweep/exact_coverage.h"
 #include "bw/core/sweep/firm_row.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
@@ -512,7 +513,8 @@ Result<void> cover(const CutWork& work, double& seconds) {
       seconds, [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
         const double back = e.middle.request.back;
         const SurfaceGrid cut = longer(e.analysis.value->cut, back);
-        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value, request.tolerance, back);
+        Coverage coverage = exactCoverageOf(cut, *e.sweep.value, *e.targetMesh.value,
+                                            *e.target.value->sampler(), request.tolerance, back);
         findings = coverage.findings;
         return coverage;
       });

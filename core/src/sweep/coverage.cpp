@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bw/core/sweep/exact_coverage.h"
 #include "sweep/surface_rows.h"
 
 namespace bw {
@@ -41,10 +42,9 @@ Uncovered causeOf(const Coverage& coverage, const Sweep& sweep, bool off) {
   return cause;
 }
 
-}  // namespace
-
-Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target, double tolerance,
-                    double back) {
+/// `surface`: that of the target; null where that is its triangles.
+Coverage coverageOn(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target,
+                    SurfaceSampler* surface, double tolerance, double back) {
   Coverage coverage;
   coverage.limit = std::max(tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
@@ -58,7 +58,10 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
     double off = 0;
     const double may = coverage.limit + kChords + std::abs(back);
     if (beyond <= coverage.limit && seen.distance > may) {
-      const double apart = rows.distance(place, std::hypot(seen.distance, beyond));
+      Vector3d truly = place;
+      if (surface)
+        if (const Result<SurfaceSampler::Foot> foot = surface->closest(place, nullptr)) truly = foot->point;
+      const double apart = rows.distance(truly, std::hypot(seen.distance, beyond) + (truly - place).norm());
       if (apart > std::hypot(may, beyond)) off = apart - std::abs(back);
     }
     coverage.area += area;
@@ -97,6 +100,18 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
                                  {{}, coverage.point},
                                  {TurnDirection{}, CutInParts{}}});
   return coverage;
+}
+
+}  // namespace
+
+Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target, double tolerance,
+                    double back) {
+  return coverageOn(cut, sweep, target, nullptr, tolerance, back);
+}
+
+Coverage exactCoverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
+                         SurfaceSampler& surface, double tolerance, double back) {
+  return coverageOn(cut, sweep, target, &surface, tolerance, back);
 }
 
 }  // namespace bw
