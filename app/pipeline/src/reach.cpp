@@ -28,6 +28,21 @@ Bar barOf(const Sketch& sketch) {
   return worst;
 }
 
+namespace {
+
+/// True if the blades of an evaluation leave the surface at their stations or between them.
+bool leavesSurface(const Evaluation& evaluation) {
+  for (const BlockEvaluation& block : evaluation.blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (const std::optional<CutResult> result = cut.result();
+          result && std::max(result->analysis.summary.deviationMax, result->between.deviationMax) >
+                        evaluation.design.process.tolerance)
+        return true;
+  return false;
+}
+
+}  // namespace
+
 ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
                          double farthest)
     : from_(from),
@@ -90,8 +105,9 @@ bool ReachSearch::confirm(const RunContext& context) {
   Bar bar = Bar::noBlade;
   if (outcome.evaluation.complete()) {
     // Looked at as sketches are, from itself: its blades are where it has them.
-    Sketcher there(std::make_shared<const Evaluation>(std::move(outcome.evaluation)));
-    if (const std::optional<Sketch> sketch = there.draw(design, context)) bar = barOf(*sketch);
+    const auto evaluation = std::make_shared<const Evaluation>(std::move(outcome.evaluation));
+    if (const std::optional<Sketch> sketch = Sketcher(evaluation).draw(design, context)) bar = barOf(*sketch);
+    if (bar == Bar::none && leavesSurface(*evaluation)) bar = Bar::tooFar;
   }
   if (context.stopped()) return true;
   if (bar != Bar::none) {
