@@ -9,7 +9,9 @@
 
 namespace bw::pipeline {
 
-Bar barOf(const Sketch& sketch) {
+Bar barOf(const Sketch& sketch) { return barOf(sketch, sketch.design.process.tolerance); }
+
+Bar barOf(const Sketch& sketch, double deviation) {
   Bar worst = Bar::none;
   const auto meet = [&worst](bool met, Bar bar) {
     if (met && (worst == Bar::none || bar < worst)) worst = bar;
@@ -22,7 +24,7 @@ Bar barOf(const Sketch& sketch) {
       meet(std::ranges::any_of(look.rest,
                                [](Rest rest) { return rest == Rest::lost || rest == Rest::unknown; }),
            Bar::lost);
-      meet(look.deviationMax > sketch.design.process.tolerance, Bar::tooFar);
+      meet(look.deviationMax > deviation, Bar::tooFar);
       meet(look.nearBottom, Bar::low);
     }
   return worst;
@@ -52,7 +54,7 @@ ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::fun
 
 Bar ReachSearch::barAt(Side& side, double by, const RunContext& context) const {
   const std::optional<Sketch> sketch = side.sketcher.draw(at_(by), context);
-  return sketch ? barOf(*sketch) : Bar::noBlade;
+  return sketch ? barOf(*sketch, deviation_) : Bar::noBlade;
 }
 
 bool ReachSearch::looking() const {
@@ -66,9 +68,18 @@ bool ReachSearch::unsure(std::size_t side) const {
 bool ReachSearch::unsure() const { return unsure(0) || unsure(1); }
 
 bool ReachSearch::look(const RunContext& context) {
-  if (!std::exchange(began_, true)) {
-    reach_.now = barAt(sides_[1], 0, context);
-    if (context.stopped()) began_ = false;
+  if (!began_) {
+    const std::optional<Sketch> now = sides_[1].sketcher.draw(at_(0), context);
+    if (context.stopped()) return true;
+    began_ = true;
+    reach_.now = now ? barOf(*now) : Bar::noBlade;
+    if (reach_.now != Bar::none) return false;
+    // Between its stations a blade is farther off than a sketch sees, if by little.
+    constexpr double kOfTolerance = 0.98;
+    const double tolerance = now->design.process.tolerance;
+    deviation_ = kOfTolerance * tolerance;
+    for (const std::vector<CutSketch>& block : now->blocks)
+      for (const CutSketch& cut : block) deviation_ = std::max(deviation_, cut.look->deviationMax);
     return looking();
   }
   if (!looking()) return false;

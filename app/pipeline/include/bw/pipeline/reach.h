@@ -21,6 +21,8 @@ enum class Bar {
   low        ///< a blade comes nearer to the face that its block lies on than the floor
 };
 Bar barOf(const Sketch& sketch);
+/// The same where blades may lie so far (mm) from the surface at their stations.
+Bar barOf(const Sketch& sketch, double deviation);
 
 /// How far something of a design may be moved, both ways.
 struct Reach {
@@ -72,6 +74,7 @@ class ReachSearch {
   std::shared_ptr<const Evaluation> from_;
   std::function<Design(double)> at_;
   double farthest_;
+  double deviation_ = 0;  ///< mm, allowed at stations
   std::array<Side, 2> sides_;
   Reach reach_;
   bool began_ = false;
