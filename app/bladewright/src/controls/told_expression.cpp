@@ -23,9 +23,13 @@ QLabel* makeTold(QWidget& field) {
 }
 
 void placeTold(QLabel& told, const QString& text, int room) {
-  const int width = std::max(room, 0);
+  // Rather a little nearer to the number than half a sign.
+  constexpr int kNearer = 4;
+  const int least = told.fontMetrics().horizontalAdvance(kEquals);
+  const int width = room + kNearer >= least ? std::max(room, least) : 0;
   const QString shown = told.fontMetrics().elidedText(text, Qt::ElideRight, width);
-  told.setText(text.startsWith(kEquals) && !shown.startsWith(kEquals) ? QString(kEquals) : shown);
+  const bool signAlone = width > 0 && text.startsWith(kEquals) && !shown.startsWith(kEquals);
+  told.setText(signAlone ? QString(kEquals) : shown);
   told.setGeometry(kMargin, 0, width, told.parentWidget()->height());
 }
 
