@@ -43,6 +43,18 @@ class CurvesInTheWindow : public WindowTest {
     return QTest::qWaitFor([&] { return !bench().reading(); }, kPatience);
   }
 
+  /// Waits until the banner says so.
+  bool told(const QString& words) {
+    return QTest::qWaitFor(
+        [&] { return window().banner().isVisible() && window().banner().text().contains(words); }, kPatience);
+  }
+
+  /// Puts another drawing in the place of walls.dxf, as programs that draw do.
+  void save(const std::string& bytes) {
+    ASSERT_TRUE(writeFile(path("walls.tmp"), bytes));
+    fs::rename(path("walls.tmp"), path("walls.dxf"));
+  }
+
   static QStringList itemsOf(const ChoiceField& field) {
     QStringList items;
     for (int i = 0; i < field.count(); ++i) items << field.itemText(i);
@@ -229,14 +241,6 @@ TEST_F(CurvesInTheWindow, AreReadAgainWhenTheDrawingChanges) {
   bench().editDesign("Length", [](Design& design) { design.blade.length = 1200; });
   ASSERT_TRUE(settle());
   const Design before = bench().design();
-  const auto told = [&](const QString& words) {
-    return QTest::qWaitFor(
-        [&] { return window().banner().isVisible() && window().banner().text().contains(words); }, kPatience);
-  };
-  const auto save = [&](const std::string& bytes) {
-    ASSERT_TRUE(writeFile(path("walls.tmp"), bytes));
-    fs::rename(path("walls.tmp"), path("walls.dxf"));
-  };
   // A section more on the layer that was chosen.
   all.push_back(section(400, "ceiling", 90));
   save(dxf(all, circle));
@@ -294,14 +298,6 @@ TEST_F(CurvesInTheWindow, TheDesignKeepsItsDrawingAndItsLayer) {
     ASSERT_TRUE(window().openFile(QString::fromStdString(file.string())));
     ASSERT_TRUE(settle());
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-  };
-  const auto told = [&](const QString& words) {
-    return QTest::qWaitFor(
-        [&] { return window().banner().isVisible() && window().banner().text().contains(words); }, kPatience);
-  };
-  const auto save = [&](const std::string& bytes) {
-    ASSERT_TRUE(writeFile(path("walls.tmp"), bytes));
-    fs::rename(path("walls.tmp"), path("walls.dxf"));
   };
   // Opened again its layers are there, and nothing has changed.
   ASSERT_NO_FATAL_FAILURE(reopen());

@@ -33,15 +33,24 @@ TEST_F(WindowTest, ChangesTheStationsByTyping) {
   EXPECT_EQ(stationCount(), 33u);
 }
 
-TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
+class SliderTest : public WindowTest {
+ protected:
+  /// Grabs a slider and pulls it to the right; the place where it is held then.
+  QPoint dragged(HandSlider& slider) {
+    window().workflow().ensureWidgetVisible(&slider);
+    const QPoint from(int(slider.width() * 0.4), slider.height() / 2);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(&slider, from + QPoint(4 * i, 0));
+    return from + QPoint(32, 0);
+  }
+};
+
+TEST_F(SliderTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   openPanel();
   auto* slider = find<HandSlider>("Number of stations");
   ASSERT_TRUE(slider);
-  window().workflow().ensureWidgetVisible(slider);
-  const QPoint from(int(slider->width() * 0.4), slider->height() / 2);
-  QTest::mousePress(slider, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(slider, from + QPoint(4 * i, 0));
-  QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(32, 0));
+  const QPoint at = dragged(*slider);
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, at);
   const int after = bench().design().cut().sections.stations.value();
   EXPECT_NE(after, 20);
   ASSERT_TRUE(settle());
@@ -53,17 +62,14 @@ TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   EXPECT_EQ(stationCount(), 20u);
 }
 
-TEST_F(WindowTest, EscapeGivesTheDragOfTheStationSliderUp) {
+TEST_F(SliderTest, EscapeGivesTheDragOfTheStationSliderUp) {
   openPanel();
   auto* slider = find<HandSlider>("Number of stations");
   ASSERT_TRUE(slider);
-  window().workflow().ensureWidgetVisible(slider);
-  const QPoint from(int(slider->width() * 0.4), slider->height() / 2);
-  QTest::mousePress(slider, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(slider, from + QPoint(4 * i, 0));
+  const QPoint at = dragged(*slider);
   EXPECT_NE(bench().design().cut().sections.stations, 20);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(32, 0));
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, at);
   EXPECT_EQ(bench().design().cut().sections.stations, 20);
   EXPECT_FALSE(bench().document().undoStack().canUndo());
   ASSERT_TRUE(settle());

@@ -120,8 +120,8 @@ QString lengthsText(const BladeLengths* lengths) {
   for (const BladeLengths::Band& band : lengths->bands())
     if (band.from <= *lengths->best && *lengths->best <= band.to) own = band;
   if (own.from == own.to) return LengthBand::tr("%1 mm serves").arg(whole(*lengths->best));
-  return LengthBand::tr("%1 to %2 mm serve at %n station(s) tried, best %3 mm", nullptr, lengths->stations)
-      .arg(whole(own.from), whole(own.to), whole(*lengths->best));
+  return LengthBand::tr("%1 to %2 mm serve at %3 stations tried, best %4 mm")
+      .arg(whole(own.from), whole(own.to), QString::number(lengths->stations), whole(*lengths->best));
 }
 
 }  // namespace bw::app
