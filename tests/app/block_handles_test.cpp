@@ -63,8 +63,7 @@ TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
   const std::size_t poles = std::size_t(window().surfaceHandles().count());
   EXPECT_EQ(handles().points.size(), poles + 8);
   const Box was = placementOf(bench())->box();
-  QTest::mouseMove(&view(), on(BlockPart::right));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == handle(BlockPart::right); }, kPatience));
+  hover(handle(BlockPart::right));
   EXPECT_EQ(handles().text.find("Right face: size X "), 0u) << handles().text;
   picture("block-handles");
   ASSERT_NO_FATAL_FAILURE(pull(BlockPart::right, place(BlockPart::right) + 40 * was.frame.x));
@@ -331,8 +330,7 @@ TEST_F(BlockHandlesTest, BlocksOfAGridKeepTheirSizesAndSayWhy) {
   QTest::mouseMove(&view(), face + QPoint(-30, 30));
   release();
   EXPECT_EQ(bench().design(), before);
-  QTest::mouseMove(&view(), on(BlockPart::front));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == handle(BlockPart::front); }, kPatience));
+  hover(handle(BlockPart::front));
   EXPECT_TRUE(handles().stopped);
   picture("block-handles-grid");
   // Neither keys nor numbers do.

@@ -37,26 +37,6 @@ class ObjectTreeTest : public WindowTest {
     QTest::qWait(0);
   }
 
-  /// Puts the cursor on a handle; its place then.
-  QPoint hover(int handle) {
-    view::SceneView& view = window().sceneView();
-    QPoint at;
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] {
-          // Panels that get other texts may still take room from the view.
-          const auto place = [&] {
-            return view.toWidget(view.sceneStyle().handles.points[std::size_t(handle)]).toPoint();
-          };
-          if (!view.resting()) return false;
-          at = place();
-          QTest::mouseMove(&view, at);
-          return view.sceneStyle().handles.lit == handle && place() == at;
-        },
-        kPatience))
-        << handle;
-    return at;
-  }
-
   bool sees(scene::Kind kind, const scene::ItemId& id) {
     return window().sceneView().sceneStyle().of(kind, id).visible;
   }

@@ -29,14 +29,7 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   open("single-block");
   ASSERT_EQ(handles().points.size(), 24u);
   const double before = height(2, 1);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        QTest::mouseMove(&view(), at(kPole));  // until the picture stands where it stays
-        return handles().lit == kPole;
-      },
-      kPatience))
-      << handles().lit;
-  const QPoint from = at(kPole);
+  const QPoint from = hover(kPole);
   picture("handle-hovered");
   QTest::mousePress(&view(), Qt::LeftButton, {}, from);
   for (int i = 1; i <= 10; ++i) {

@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QCursor>
 #include <QDropEvent>
 #include <QMessageBox>
 #include <QMimeData>
@@ -91,6 +92,28 @@ class WindowTest : public ::testing::Test {
     for (T* widget : window_->findChildren<T*>())
       if (widget->accessibleName() == accessibleName && widget->isVisible()) return widget;
     return nullptr;
+  }
+
+  /// Puts the cursor on a handle; its place then.
+  QPoint hover(int handle) {
+    view::SceneView& view = window_->sceneView();
+    QPoint at;
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          // Panels that get other texts may still take room from the view.
+          const auto place = [&] {
+            return view.toWidget(view.sceneStyle().handles.points[std::size_t(handle)]).toPoint();
+          };
+          if (!view.resting()) return false;
+          at = place();
+          // A cursor that stands there already, from the window of another test, tells of no move.
+          if (QCursor::pos() == view.mapToGlobal(at)) QTest::mouseMove(&view, at + QPoint(2, 0));
+          QTest::mouseMove(&view, at);
+          return view.sceneStyle().handles.lit == handle && place() == at;
+        },
+        kPatience))
+        << handle << " is not lit, but " << view.sceneStyle().handles.lit;
+    return at;
   }
 
   /// The window as the user sees it, kept for the eye.

@@ -135,6 +135,38 @@ TEST_F(SceneViewTest, HoveringTellsTheValueOfTheMap) {
   EXPECT_LT((last.point - cut.points[index]).norm(), 1.0);
 }
 
+TEST_F(SceneViewTest, WhatComesToLieUnderARestingCursorIsLitToo) {
+  const QPointF at(300, 330);
+  ASSERT_EQ(view.handleAt(at), -1);
+  send(view, QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
+  QSignalSpy lit(&view, &SceneView::handleHovered);
+  Style style = view.sceneStyle();
+  const auto [origin, direction] = view.rayAt(at);
+  style.handles.points = {origin + 500 * direction};
+  view.setStyle(style);
+  ASSERT_TRUE(lit.count() > 0 || lit.wait(kPatience));
+  EXPECT_EQ(lit.last().front().toInt(), 0);
+  // And goes out where the picture moves away.
+  style.handles.points = {view.rayAt(at + QPointF(80, 0)).first +
+                          500 * view.rayAt(at + QPointF(80, 0)).second};
+  view.setStyle(style);
+  ASSERT_TRUE(lit.count() > 1 || lit.wait(kPatience));
+  EXPECT_EQ(lit.last().front().toInt(), -1);
+  // Nothing of it where the cursor is elsewhere.
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&view, &leave);
+  style.handles.points = {origin + 500 * direction};
+  view.setStyle(style);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
+  EXPECT_EQ(lit.count(), 2);
+  // A view that comes to stand under the cursor sees it without a move.
+  QEnterEvent enter(at, at, view.mapToGlobal(at));
+  QApplication::sendEvent(&view, &enter);
+  ASSERT_TRUE(lit.count() > 2 || lit.wait(kPatience));
+  EXPECT_EQ(lit.last().front().toInt(), 0);
+}
+
 TEST_F(SceneViewTest, OrbitTurnsAboutThePointUnderTheCursorAndKeepsTheHorizon) {
   const Eigen::Vector3d pivot = stationPoint(15);
   const QPointF at = view.toWidget(pivot);

@@ -99,6 +99,8 @@ class PointerInput : public QObject {
   Navigation navigation() const { return navigation_; }
   void setNavigation(Navigation navigation) { navigation_ = navigation; }
 
+  bool pressed() const { return button_ != Qt::NoButton; }
+
   /// `covered`: something over the picture is pressed; it can be clicked, but drags nothing.
   void press(const QMouseEvent& event, bool covered);
   void move(const QMouseEvent& event);

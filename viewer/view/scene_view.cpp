@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <optional>
 #include <utility>
 
 #include "bw/scene/navigation.h"
@@ -42,6 +43,7 @@ struct SceneView::Impl {
   bool fitPending = false, everRendered = false;
   std::optional<Eigen::Vector3d> cubeLit;
   int handleLit = -1, held = -1;
+  std::optional<QPointF> cursor;  ///< none while it is elsewhere
 
   // Where the processor does the work of a graphics card, smoothing costs most of a frame: moving pictures go
   // without.
@@ -59,10 +61,8 @@ struct SceneView::Impl {
 
   /// Asks for a frame of something that may go on moving.
   void redraw() {
-    if (software) {
-      draft = true;
-      restTimer.start();
-    }
+    draft = software;
+    restTimer.start();
     self->update();
   }
 
@@ -130,8 +130,9 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
   impl_->restTimer.setSingleShot(true);
   impl_->restTimer.setInterval(kRestMilliseconds);
   connect(&impl_->restTimer, &QTimer::timeout, this, [this] {
-    impl_->draft = false;
-    update();
+    if (std::exchange(impl_->draft, false)) update();
+    // Something else may have come to lie under a cursor that did not move.
+    if (impl_->cursor && !holding() && !impl_->input.pressed()) impl_->hover(*impl_->cursor);
   });
 }
 
@@ -351,6 +352,7 @@ void SceneView::letGo() {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   const QPointF position = event->position();
+  impl_->cursor = position;
   if (impl_->held >= 0) return;
   if (event->button() == Qt::LeftButton && !impl_->cubeAt(position) && !impl_->onLegend(position)) {
     if (const int handle = handleAt(position); handle >= 0) {
@@ -364,6 +366,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  impl_->cursor = event->position();
   if (impl_->held >= 0)
     emit handleMoved(impl_->held, event->position(), event->modifiers());
   else
@@ -371,6 +374,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  impl_->cursor = event->position();
   if (event->button() == Qt::LeftButton && impl_->held >= 0) {
     emit handleReleased(std::exchange(impl_->held, -1), false);
     return;
@@ -393,7 +397,15 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SceneView::wheelEvent(QWheelEvent* event) { impl_->input.wheel(*event); }
 
+void SceneView::enterEvent(QEnterEvent* event) {
+  // A view that comes to stand under the cursor is told no move.
+  impl_->cursor = event->position();
+  impl_->restTimer.start();
+  QOpenGLWidget::enterEvent(event);
+}
+
 void SceneView::leaveEvent(QEvent* event) {
+  impl_->cursor.reset();
   impl_->input.leave();
   impl_->lightCube({});
   impl_->lightHandle(-1);
