@@ -90,6 +90,16 @@ TEST(BlockCuts, TheLowestIsMadeFirstUnlessTheDesignTells) {
   }));
 }
 
+TEST(BlockCuts, ErrorsNameTheCutThatTheyAreOf) {
+  Design design = crossing();
+  design.variables.clear();
+  design.cuts.back().length = 610;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->message.find(design.cuts.back().id + ": the blade of 610 mm is shorter"), 0u)
+      << outcome.error->message;
+}
+
 TEST(BlockCuts, WhatMeetsNothingIsDroppedWithAMessage) {
   Design design = crossing();
   addFlat(design, "lid", 480);

@@ -369,6 +369,12 @@ TEST_F(BlockPanelTest, TheCutsOfTheBlockAreATable) {
   ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
   const Design before = bench().design();
   picture("blocks-panel-cuts");
+  // What the heights tell is seen.
+  const auto& made = bench().shown()->blocks[0].cuts;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const QString order = "Order, " + QString::fromStdString(made[i].id);
+    EXPECT_EQ(fieldOf<ChoiceField>(order)->shownText(), QString("%1 (auto)").arg(i + 1));
+  }
   auto* turn = fieldOf<ChoiceField>("Turned by, north");
   ASSERT_TRUE(turn);
   EXPECT_EQ(turn->currentText(), "90°");

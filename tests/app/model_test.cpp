@@ -378,6 +378,18 @@ TEST(Settings, RemembersNothingOnceToldToForget) {
   EXPECT_TRUE(next.layout("columns").isEmpty());
 }
 
+TEST(Settings, FoldersBeginWhereTheDesignsAre) {
+  QTemporaryDir folder, designs;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  Settings settings;
+  EXPECT_EQ(settings.folder("export"), QDir::homePath());
+  settings.setFolder("design", designs.path());
+  EXPECT_EQ(settings.folder("export"), designs.path());
+  settings.setFolder("export", folder.path());
+  EXPECT_EQ(settings.folder("export"), folder.path());
+  EXPECT_EQ(settings.folder("design"), designs.path());
+}
+
 }  // namespace
 }  // namespace bw::model
 

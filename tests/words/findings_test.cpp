@@ -286,6 +286,12 @@ TEST(Findings, InAListStandWithTheirPlace) {
   const Finding row{Severity::warning, SectionPoint{}, {kAll, {}}, {}};
   EXPECT_EQ(listed(row, Reader::window).substr(0, 26), "Stations 3 to 9 are left o") << "once, not twice";
   EXPECT_EQ(placeText(row), "station 7");
+  // Names stay as they were given.
+  Finding named = side;
+  named.where = {.block = "tail", .cut = "east"};
+  EXPECT_EQ(listed(named, Reader::window).substr(0, 38), "tail, east: End of the cut: the left e");
+  named.where = {.block = "tail", .cut = "cut-tail"};
+  EXPECT_EQ(sentence(named, Reader::window).substr(0, 20), "cut-tail: the left e");
 }
 
 TEST(Remedies, HaveAnActionWhereTheProgramCanDoThem) {

@@ -74,7 +74,9 @@ void Settings::clearRecentFiles() {
 
 QString Settings::folder(const QString& use) const {
   const QString folder = store_.value("folder/" + use).toString();
-  return folder.isEmpty() || !QDir(folder).exists() ? QDir::homePath() : folder;
+  if (!folder.isEmpty() && QDir(folder).exists()) return folder;
+  // What belongs to designs begins where these are.
+  return use == "design" ? QDir::homePath() : this->folder("design");
 }
 
 void Settings::setFolder(const QString& use, const QString& folder) { store("folder/" + use, folder); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bw/core/parts/cut_order.h"
+#include "bw/words/findings.h"
 
 namespace bw::pipeline {
 
@@ -133,11 +134,25 @@ std::vector<BlockRow> rowsOf(const Evaluation& e) {
   return rows;
 }
 
-Result<void> inBlock(const Evaluation& e, const std::string& block, const Result<void>& result) {
-  if (result || e.blocks.size() < 2 || result.error().code == ErrorCode::cancelled) return result;
+namespace {
+
+Result<void> inPart(const Place& part, const Result<void>& result) {
+  const std::string name = words::partName(part);
+  if (result || name.empty() || result.error().code == ErrorCode::cancelled) return result;
   Error error = result.error();
-  error.message = block + ": " + error.message;
+  error.message = name + ": " + error.message;
   return tl::unexpected<Error>(std::move(error));
+}
+
+}  // namespace
+
+Result<void> inBlock(const Evaluation& e, const std::string& block, const Result<void>& result) {
+  return inPart({.block = e.blocks.size() > 1 ? block : ""}, result);
+}
+
+Result<void> inCut(const Evaluation& e, const Cut& cut, const Result<void>& result) {
+  const bool several = std::ranges::find(e.blocks, cut.block, &BlockEvaluation::id)->cuts.size() > 1;
+  return inPart({.block = e.blocks.size() > 1 ? cut.block : "", .cut = several ? cut.id : ""}, result);
 }
 
 }  // namespace bw::pipeline

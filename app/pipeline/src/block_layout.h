@@ -56,4 +56,7 @@ std::vector<BlockRow> rowsOf(const Evaluation& e);
 /// An error with the name of the block that it is of, where there are several.
 Result<void> inBlock(const Evaluation& e, const std::string& block, const Result<void>& result);
 
+/// An error with the names of the cut that it is of and of its block, where there are several of each.
+Result<void> inCut(const Evaluation& e, const Cut& cut, const Result<void>& result);
+
 }  // namespace bw::pipeline

@@ -34,7 +34,7 @@ const BlockEvaluation* blockOf(const Evaluation* e, const std::string& id) {
   return found == e->blocks.end() ? nullptr : &*found;
 }
 
-Result<void> inCut(const std::string& cut, Error error) {
+Result<void> ofCut(const std::string& cut, Error error) {
   if (error.code != ErrorCode::cancelled) error.message = cut + ": " + error.message;
   return tl::unexpected<Error>(std::move(error));
 }
@@ -87,7 +87,7 @@ Result<std::vector<double>> metBy(const BlockEvaluation& block, const MetRequest
     if (*depth < request.tolerance) continue;
     samplers.push_back(cut.target.value->sampler());
     const Result<int> side = sideKept(mesh, *samplers.back(), request.kept[i]);
-    if (!side) return tl::unexpected<Error>(inCut(cut.id, side.error()).error());
+    if (!side) return tl::unexpected<Error>(ofCut(cut.id, side.error()).error());
     before.push_back({samplers.back().get(), *side});
   }
   return met;
@@ -171,7 +171,7 @@ Result<CutsTogether> compareCutsOf(const BlockEvaluation& block, const MetReques
     surfaces.target = sampled(*cut.targetMesh.value, *cut.target.value);
     surfaces.cut = sampled(swept.mesh, swept.target);
     const Result<int> side = sideKept(swept.mesh, *surfaces.cut.sampler, request.kept[i]);
-    if (!side) return tl::unexpected<Error>(inCut(cut.id, side.error()).error());
+    if (!side) return tl::unexpected<Error>(ofCut(cut.id, side.error()).error());
     surfaces.side = *side;
   }
   for (std::size_t i = 0; i < block.dropped.size(); ++i) {
@@ -206,7 +206,7 @@ Result<Inputs> sweepAll(BlockEvaluation& block, const Evaluation* previous, doub
       const Result<void> ok =
           settle(cut.swept, before ? &before->swept : nullptr, cut.middle.request, {cut.way.value}, seconds,
                  [&cut](const Kerf& kerf, Findings&) { return sweptBy(cut, kerf); });
-      if (!ok) return tl::unexpected<Error>(inCut(cut.id, ok.error()).error());
+      if (!ok) return tl::unexpected<Error>(ofCut(cut.id, ok.error()).error());
     }
     swept.push_back(cut.swept.value);
   }

@@ -313,13 +313,13 @@ Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation
   for (CutWork& work : works)
     if (open(work)) {
       const Result<SectionRequest> own = sectionRequest(work);
-      if (!own) return inBlock(e, work.cut.block, tl::unexpected<Error>(own.error()));
+      if (!own) return inCut(e, work.cut, tl::unexpected<Error>(own.error()));
       shared = std::max(shared.value_or(0), *own->stations);
     }
   for (;;) {
     for (CutWork& work : works) {
       if (open(work)) work.stations = shared;
-      if (Result<void> ok = fit(work); !ok) return inBlock(e, work.cut.block, ok);
+      if (Result<void> ok = fit(work); !ok) return inCut(e, work.cut, ok);
     }
     if (e.blocks.size() < 2) return {};
     if (const Result<void> ok = joinAll(works, e, previous, neighbours); !ok) return ok;
@@ -337,7 +337,7 @@ Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunC
     if (done[std::size_t(i)])
       done[std::size_t(i)] = seeTheRun(works[std::size_t(i)], seconds[std::size_t(i)]);
   });
-  for (std::size_t i = 0; ok && i < works.size(); ++i) ok = inBlock(e, works[i].cut.block, done[i]);
+  for (std::size_t i = 0; ok && i < works.size(); ++i) ok = inCut(e, works[i].cut, done[i]);
   e.seconds.check += std::ranges::max(seconds);
   return ok;
 }
@@ -534,7 +534,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
       const Cut& cut = cuts[works.size()];
       works.push_back({design, cut, stages, previous ? previous->find(cut.id) : nullptr, e.seconds, context,
                        purpose, length});
-      if (ok = place(works.back(), placement); !ok) return stop(inBlock(e, block.id, ok).error());
+      if (ok = place(works.back(), placement); !ok) return stop(inCut(e, cut, ok).error());
     }
   }
   KnownNeighbours neighbours(e);
@@ -542,7 +542,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   for (std::size_t i = 0; i < works.size(); ++i) works[i].joined = joined[i] != 0;
   if (ok = fitAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   for (const CutWork& work : works)
-    if (ok = check(work); !ok) return stop(inBlock(e, work.cut.block, ok).error());
+    if (ok = check(work); !ok) return stop(inCut(e, work.cut, ok).error());
   // Rows may have become firmer ones.
   if (ok = joinAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   if (ok = compareBlocks(e, previous, context); !ok) return stop(ok.error());

@@ -108,20 +108,32 @@ std::string placeText(const Finding& finding) {
   return {};
 }
 
-std::string sentence(const Finding& finding, Reader reader) {
-  const auto& [stations, point, block, cut] = finding.where;
+std::string partName(const Place& place) {
+  const auto& [stations, point, block, cut] = place;
   // Cuts of a grid have their block in their names.
   const bool both = !block.empty() && !cut.empty() && !cut.ends_with("-" + block);
-  const std::string place = both ? block + ", " + cut : cut.empty() ? block : cut;
-  return (place.empty() ? "" : place + ": ") + std::visit(Sentences{finding, reader}, finding.cause);
+  return both ? block + ", " + cut : cut.empty() ? block : cut;
+}
+
+namespace {
+
+std::string inPart(const Finding& finding, const std::string& text) {
+  const std::string part = partName(finding.where);
+  return part.empty() ? text : part + ": " + text;
+}
+
+}  // namespace
+
+std::string sentence(const Finding& finding, Reader reader) {
+  return inPart(finding, std::visit(Sentences{finding, reader}, finding.cause));
 }
 
 std::string listed(const Finding& finding, Reader reader) {
-  std::string text = sentence(finding, reader);
+  std::string text = std::visit(Sentences{finding, reader}, finding.cause);
   if (const std::string place = placeText(finding); !place.empty() && !finding.where.stations)
     text = place + ": " + text;
   if (!text.empty()) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
+  return inPart(finding, text);
 }
 
 std::vector<std::string> errorsOf(const Findings& findings, Reader reader) {

@@ -143,17 +143,6 @@ void BlockCuts::setNarrow(bool narrow) {
   refresh();
 }
 
-void BlockCuts::fillOrder(ChoiceField& order, const Cut& cut, int beside) const {
-  const int places = std::max(beside, cut.order.value_or(0));
-  if (order.count() != places + 1) {
-    order.clear();
-    order.addItem(tr("Lowest first"));
-    order.setShortText(0, tr("Lowest"));
-    for (int i = 1; i <= places; ++i) order.addItem(QString::number(i));
-  }
-  order.show(cut.order.value_or(0));
-}
-
 void BlockCuts::refresh() {
   std::vector<const Cut*> cuts;
   std::vector<std::string> ids, built;
@@ -178,7 +167,7 @@ void BlockCuts::refresh() {
     const Line& line = lines_[i];
     const Cut& cut = *cuts[i];
     line.name->setChecked(cut.id == bench_.selection().cut);
-    fillOrder(*line.order, cut, int(cuts.size()));
+    showOrder(*line.order, bench_, cut);
     line.up->show(int(cut.pose.up));
     line.turn->show(cut.pose.quarters);
     line.keep->show(int(cut.keep));

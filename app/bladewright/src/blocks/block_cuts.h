@@ -44,7 +44,6 @@ class BlockCuts : public QWidget {
   NumberField* addLength(const std::string& cut);
   /// Puts all in their places.
   void arrange();
-  void fillOrder(ChoiceField& order, const Cut& cut, int beside) const;
   void edit(const std::string& cut, const QString& step, const std::function<void(Cut&)>& change);
 
   Workbench& bench_;

@@ -81,7 +81,8 @@ BlockPanel::BlockPanel(Workbench& bench, const Theme& theme, QWidget* parent)
 void BlockPanel::follow(const Change& change) {
   const bool design = change.any(Aspect::design | Aspect::block), chosen = change.any(Aspect::selection);
   if (design) numbers_->refresh();
-  if (design || chosen) cuts_->refresh();
+  // Heights tell the order of cuts.
+  if (design || chosen || change.any(Aspect::result)) cuts_->refresh();
   // What nobody sees waits.
   if (!isVisible() || !(design || chosen || change.any(Aspect::state | Aspect::result))) return;
   plan_->refresh();

@@ -57,13 +57,7 @@ void CutLines::refresh() {
   direction_->refresh();
   up_->show(int(cut.pose.up));
   turn_->show(cut.pose.quarters);
-  const int places = std::max(beside, cut.order.value_or(0));
-  if (order_->count() != places + 1) {
-    order_->clear();
-    order_->addItem(tr("Lowest first"));
-    for (int i = 1; i <= places; ++i) order_->addItem(QString::number(i));
-  }
-  order_->show(cut.order.value_or(0));
+  showOrder(*order_, bench_, cut);
   keep_->show(int(cut.keep));
   // Of a single cut there is no order, and what stays is below it; several take no offset, but what one has
   // all the same can be taken away.

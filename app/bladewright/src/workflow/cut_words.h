@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QCoreApplication>
 #include <QStringList>
+
+#include "bw/core/design/design.h"
 
 namespace bw::app {
 
+class ChoiceField;
+class Workbench;
+
 // Words of choices for a cut, in the order of their values.
 
-inline QString cutWord(const char* word) { return QCoreApplication::translate("CutWords", word); }
-
 /// `BlockFace`
-inline QStringList faceWords() {
-  return {cutWord("Top"),   cutWord("Bottom"), cutWord("Left"),
-          cutWord("Right"), cutWord("Front"),  cutWord("Back")};
-}
+QStringList faceWords();
 /// `CutPose::quarters`
-inline QStringList turnWords() { return {cutWord("0°"), cutWord("90°"), cutWord("180°"), cutWord("270°")}; }
+QStringList turnWords();
 /// `KeptSide`
-inline QStringList keptWords() {
-  return {cutWord("Below"), cutWord("Above"),    cutWord("Left"),
-          cutWord("Right"), cutWord("In front"), cutWord("Behind")};
-}
+QStringList keptWords();
+
+/// Fills a choice of the place of a cut among those of its block, and shows its own: where its height tells
+/// it, the closed field shows the place that it has.
+void showOrder(ChoiceField& field, const Workbench& bench, const Cut& cut);
 
 }  // namespace bw::app

@@ -25,6 +25,7 @@ namespace {
 constexpr QSize kSize(1000, 620);
 constexpr QSize kNewest(240, 160), kPicture(120, 80);  // device-independent pixels
 constexpr double kFarthest = 1e9;                      // the range of the variable is checked besides
+constexpr double kLeastShown = 5e-4;                   // of what is measured, mm or °
 constexpr int kCollect = 100;                          // ms between looks at what is computed
 enum Column { kValue, kResult, kDeviation, kRadius, kAngle, kRest, kTime, kFindings, kColumns };
 
@@ -226,7 +227,9 @@ void VaryDialog::add(const pipeline::Variation& variation, const scene::Content&
     item->setToolTip(text);
     table_->setItem(row, column, item);
   };
-  const auto number = [](double value) { return QString::fromStdString(shortText(value)); };
+  const auto number = [](double value) {
+    return QString::fromStdString(shortText(std::abs(value) < kLeastShown ? 0 : value));
+  };
   put(kValue, QString::fromStdString(shortText(variation.value, 6)));
   rows_.push_back(variation);
   if (!content.items.empty()) table_->item(row, kValue)->setData(Qt::DecorationRole, pictureOf(content));

@@ -46,7 +46,7 @@ class Settings : public QObject {
   void addRecentFile(const std::filesystem::path& file);
   void clearRecentFiles();
 
-  /// The folder where the last file of that use ("open", "export") was; the home folder at first.
+  /// The folder where the last file of that use ("open", "export") was; at first that of designs, or home.
   QString folder(const QString& use) const;
   void setFolder(const QString& use, const QString& folder);
 

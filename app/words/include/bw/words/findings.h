@@ -16,6 +16,10 @@ enum class Reader { commandLine, window };
 /// the rule, "rapid-rule-13".
 std::string kindWord(const Finding& finding);
 
+/// The block and the cut of a place, as they stand before a sentence: "block-2, north". Empty where neither is
+/// named.
+std::string partName(const Place& place);
+
 /// Where it is: "station 8", "end of the cut", a file. Empty where it has no place.
 std::string placeText(const Finding& finding);
 
@@ -23,7 +27,7 @@ std::string placeText(const Finding& finding);
 /// full stop. Blocks and stations are named in it, other places are not.
 std::string sentence(const Finding& finding, Reader reader);
 
-/// The same as it stands in a list of its own: with its place, and a capital first.
+/// The same as it stands in a list of its own: with its place, and with a capital.
 std::string listed(const Finding& finding, Reader reader);
 
 /// What doing a remedy is called, for a button: "Use a blade of 812 mm". Empty for what only a person can do.
