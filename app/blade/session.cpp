@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -139,6 +141,20 @@ Result<void> Session::writeDesign(Design design, const std::string& name) const 
   });
   const Interrupt::Commit commit;
   return saveDesign(design, name);
+}
+
+Result<void> Session::mayWriteInto(const std::filesystem::path& folder) const {
+  std::error_code none;
+  std::filesystem::path nearest = std::filesystem::absolute(folder, none).lexically_normal();
+  while (!std::filesystem::exists(nearest, none) && nearest.has_relative_path())
+    nearest = nearest.parent_path();
+  const auto no = [&](const std::string& why) {
+    return fail(ErrorCode::cannotWrite, "cannot write into " + folder.string() + ": " + why, folder.string());
+  };
+  if (!std::filesystem::is_directory(nearest, none))
+    return no(nearest.string() + " is not a folder; choose another name");
+  if (::access(nearest.c_str(), W_OK | X_OK) != 0) return no(nearest.string() + ": " + std::strerror(errno));
+  return {};
 }
 
 Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder,

@@ -74,6 +74,9 @@ struct Session {
   Result<void> mayWriteDesign(const std::string& name) const;
   /// Writes a design that is made of another one; files that it links are named by their whole paths.
   Result<void> writeDesign(Design design, const std::string& name) const;
+  /// An error if no file can be written there: told before the work that its files would come of. What only
+  /// writing shows (a full disk) is not seen.
+  Result<void> mayWriteInto(const std::filesystem::path& folder) const;
   /// Tells the list of files on standard error, then writes them all or none, and not over `inputs` or
   /// `source`, in place of what an earlier run left there of programs; tells that list too. With `seen`,
   /// nothing if another run was put there since.

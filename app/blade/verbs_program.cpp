@@ -31,6 +31,7 @@ struct ExportOptions {
 int runExport(const Session& session, const ExportOptions& options) {
   Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
+  if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
   // What is exported is what the findings are about.
   if (!options.cell.empty()) design->output.cell = options.cell;
   design->output.programs = options.formats;
@@ -158,6 +159,8 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   if (!program) return session.complain(program.error());
   const std::optional<double> length =
       std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
+  if (!options.out.empty())
+    if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
   // What draws the pictures gets ready meanwhile, unless all is to be done on one thread.
   std::future<scene::Scene> ready;
   if (!options.out.empty() && session.threads != 1)

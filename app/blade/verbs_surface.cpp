@@ -98,6 +98,7 @@ struct ResultOptions {
 /// it becomes this one.
 int writeResults(const Session& session, const Design& design, const ResultOptions& options, int threads = 0,
                  pipeline::Evaluation* before = nullptr) {
+  if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
   RunContext context = session.context();
   if (context.threads == 0) context.threads = threads;
   pipeline::Policy policy{.despiteErrors = options.despiteErrors};

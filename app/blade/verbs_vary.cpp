@@ -113,9 +113,7 @@ int runVary(const Session& session, const VaryOptions& options) {
                              "--count must be between " + std::to_string(kLeast) + " and " +
                                  std::to_string(kMost) + ", not " + std::to_string(options.count),
                              "count", double(options.count), double(kMost)});
-  if (std::error_code error; fs::exists(options.out, error) && !fs::is_directory(options.out, error))
-    return session.complain(
-        {ErrorCode::cannotWrite, options.out + " is no folder; give --out the name of one", options.out});
+  if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
   for (const std::string& set : options.sets)
     if (set.substr(0, set.find('=')) == range->name)
       return session.complain({ErrorCode::badInput,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -89,6 +90,19 @@ TEST(BadInput, UsageNamesTheNearestWord) {
   expectRefusal({"fit", "--inn", "x"}, 2, "--inn");
   expectRefusal({"rationalize", "a.step"}, 2, "--out");
   expectRefusal({"elastica", "--threads", "-3"}, 2, "threads");
+}
+
+// A folder that nothing can be written into is told before the surface is looked at: it is not even there.
+TEST(BadInput, AFolderThatTakesNoFilesIsToldFirst) {
+  const Folder folder;
+  const std::string file = folder.write("file", "x");
+  expectRefusal({"rationalize", folder / "no.step", "--out", file + "/out"}, 4, "is not a folder; choose");
+  expectRefusal({"rationalize", folder / "no.step", "--out", file}, 4, "is not a folder; choose");
+  expectRefusal({"rationalize", folder / "no.step", "--out", folder / "new/folder"}, 4, "no.step");
+  if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  std::filesystem::create_directory(folder / "mine");
+  std::filesystem::permissions(folder / "mine", std::filesystem::perms::owner_read);
+  expectRefusal({"rationalize", folder / "no.step", "--out", folder / "mine/out"}, 4, "Permission denied");
 }
 
 TEST(BadInput, CadFiles) {
