@@ -14,7 +14,6 @@
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/pipeline/lower_block.h"
-#include "bw/pipeline/read_source.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cut_stages.h"

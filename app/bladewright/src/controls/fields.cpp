@@ -18,8 +18,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "controls/answer_line.h"
-#include "controls/slider_escape.h"
 #include "controls/theme.h"
 
 namespace bw::app {
@@ -31,39 +29,7 @@ constexpr char kHead[] = "foldHead", kLabel[] = "lineLabel";
 constexpr int kFieldWidth = 132;
 constexpr int kShortTextRole = Qt::UserRole + 100;
 
-/// Sees the keys of a slider before the slider does.
-class SliderEscape : public QObject {
- public:
-  SliderEscape(HandSlider& slider, std::function<std::function<void()>()> grab)
-      : QObject(&slider), slider_(slider) {
-    connect(&slider, &HandSlider::grabbed, this, [this, grab = std::move(grab)] { putBack_ = grab(); });
-    slider.installEventFilter(this);
-  }
-
- protected:
-  bool eventFilter(QObject*, QEvent* event) override {
-    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
-    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !slider_.held()) return false;
-    event->accept();
-    // Else Esc would be the window's, and stop the computation.
-    if (event->type() == QEvent::ShortcutOverride) return true;
-    const QPointF at = slider_.rect().center();
-    QMouseEvent release(QEvent::MouseButtonRelease, at, slider_.mapToGlobal(at), Qt::LeftButton, {}, {});
-    QCoreApplication::sendEvent(&slider_, &release);
-    putBack_();
-    return true;
-  }
-
- private:
-  HandSlider& slider_;
-  std::function<void()> putBack_;
-};
-
 }  // namespace
-
-void putBackByEscape(HandSlider& slider, std::function<std::function<void()>()> grab) {
-  new SliderEscape(slider, std::move(grab));
-}
 
 ValueLabel::ValueLabel(QWidget* parent) : QLabel(parent) {
   setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -177,10 +143,27 @@ void HandSlider::show(int value) {
   quiet_ = false;
 }
 
+bool HandSlider::event(QEvent* event) {
+  // Before the window, where Esc stops the computation.
+  const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (!key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !held_ || !putBack_)
+    return QSlider::event(event);
+  event->accept();
+  if (event->type() == QEvent::ShortcutOverride) return true;
+  const QPointF at = rect().center();
+  QMouseEvent release(QEvent::MouseButtonRelease, at, mapToGlobal(at), Qt::LeftButton, {}, {});
+  QCoreApplication::sendEvent(this, &release);
+  putBack_();
+  return true;
+}
+
 void HandSlider::mousePressEvent(QMouseEvent* event) {
   // Before the base class: a press beside the handle moves it at once.
   held_ = event->button() == Qt::LeftButton;
-  if (held_) emit grabbed();
+  if (held_) {
+    emit grabbed();
+    if (keep_) putBack_ = keep_();
+  }
   QSlider::mousePressEvent(event);
 }
 

@@ -15,6 +15,9 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include <functional>
+#include <utility>
+
 #include "controls/number_field.h"
 #include "controls/theme.h"
 
@@ -76,12 +79,16 @@ class HandSlider : public QSlider {
   void show(int value);
   using QWidget::show;
   bool held() const { return held_; }
+  /// `keep` is called when a hand takes hold of the slider, and returns what puts back that which stood then.
+  /// Esc calls that while the slider is held: the hand then holds it no longer, whatever its button does.
+  void putBackByEscape(std::function<std::function<void()>()> keep) { keep_ = std::move(keep); }
 
  signals:
   void grabbed();
   void moved(int value);
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
@@ -89,6 +96,8 @@ class HandSlider : public QSlider {
  private:
   bool quiet_ = false;
   bool held_ = false;
+  std::function<std::function<void()>()> keep_;
+  std::function<void()> putBack_;
 };
 
 /// A column of controls, one a line: label left, field right.
@@ -162,5 +171,8 @@ QWidget* makeLine(QWidget* parent = nullptr);
 QLabel* makeTitle(const QString& text, QWidget* parent);
 /// 9 pt text in the secondary colour; wraps.
 QLabel* makeNote(const QString& text = {}, QWidget* parent = nullptr);
+/// For a sentence that becomes known after the other things of a form: it takes two lines from the beginning,
+/// so that nothing moves when it comes, and the form is no wider for it.
+QLabel* makeAnswer();
 
 }  // namespace bw::app

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "controls/number_field.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -115,13 +113,9 @@ void NumberField::refreshUnit() {
 }
 
 bool NumberField::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip && !expression().isEmpty()) {
-    const QString tip = tr("= %1\nA number typed here takes its place.").arg(expression());
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                       toolTip().isEmpty() ? tip : toolTip() + QLatin1Char('\n') + tip, this);
-    return true;
-  }
-  return TypedField::event(event);
+  if (event->type() != QEvent::ToolTip || expression().isEmpty()) return TypedField::event(event);
+  showWithTold(*this, *event, tr("= %1\nA number typed here takes its place.").arg(expression()));
+  return true;
 }
 
 /// What is shown is another with and without the keyboard.

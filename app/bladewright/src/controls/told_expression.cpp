@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "controls/told_expression.h"
 
+#include <QHelpEvent>
+#include <QToolTip>
+
 #include <algorithm>
 
 namespace bw::app {
@@ -31,6 +34,12 @@ void placeTold(QLabel& told, const QString& text, int room) {
   const bool signAlone = width > 0 && text.startsWith(kEquals) && !shown.startsWith(kEquals);
   told.setText(signAlone ? QString(kEquals) : shown);
   told.setGeometry(kMargin, 0, width, told.parentWidget()->height());
+}
+
+void showWithTold(QWidget& field, const QEvent& event, const QString& told) {
+  const QString tip = field.toolTip();
+  QToolTip::showText(static_cast<const QHelpEvent&>(event).globalPos(),
+                     tip.isEmpty() ? told : tip + QLatin1Char('\n') + told, &field);
 }
 
 }  // namespace bw::app

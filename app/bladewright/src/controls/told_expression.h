@@ -4,6 +4,7 @@
 // What a field shows of the expression that its number stands for while nobody types into it.
 #pragma once
 
+#include <QEvent>
 #include <QLabel>
 
 namespace bw::app {
@@ -13,5 +14,7 @@ QLabel* makeTold(QWidget& field);
 /// Puts what is told ("=width/2", "=width; 500") into `room` px, shortened where it is longer; of an
 /// expression its = at least is seen.
 void placeTold(QLabel& told, const QString& text, int room);
+/// Shows the tooltip of `field` that `event` asks for, with `told` below.
+void showWithTold(QWidget& field, const QEvent& event, const QString& told);
 
 }  // namespace bw::app

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "controls/told_list_field.h"
 
-#include <QHelpEvent>
-#include <QToolTip>
-
 #include <cmath>
 
 #include "controls/told_expression.h"
@@ -34,13 +31,9 @@ void ToldListField::refreshTold() {
 }
 
 bool ToldListField::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip && !expression().isEmpty()) {
-    const QString tip = tr("%1\nNumbers typed here take its place.").arg(expression());
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                       toolTip().isEmpty() ? tip : toolTip() + QLatin1Char('\n') + tip, this);
-    return true;
-  }
-  return TypedField::event(event);
+  if (event->type() != QEvent::ToolTip || expression().isEmpty()) return TypedField::event(event);
+  showWithTold(*this, *event, tr("%1\nNumbers typed here take its place.").arg(expression()));
+  return true;
 }
 
 void ToldListField::resizeEvent(QResizeEvent* event) {

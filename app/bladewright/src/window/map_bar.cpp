@@ -12,7 +12,6 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
 #include "controls/layout.h"
-#include "controls/slider_escape.h"
 
 namespace bw::app {
 
@@ -165,8 +164,8 @@ QWidget* MapBar::makeLayers() {
       slider->setAccessibleName(tr("Opacity of %1").arg(name));
       grid->addWidget(slider, row, 1);
       opacities_.emplace_back(slider, solid);
-      putBackByEscape(*slider,
-                      [slider] { return [slider, was = slider->value()] { slider->setValue(was); }; });
+      slider->putBackByEscape(
+          [slider] { return [slider, was = slider->value()] { slider->setValue(was); }; });
       connect(slider, &HandSlider::moved, this, [this, solid](int value) {
         style_[solid].opacity = value / 100.0;
         emit styleEdited(style_);

@@ -6,7 +6,6 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/printable.h"
-#include "bw/pipeline/read_source.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {

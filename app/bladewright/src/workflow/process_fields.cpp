@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "controls/answer_line.h"
 
 namespace bw::app {
 

@@ -11,7 +11,6 @@
 #include "bw/core/base/units.h"
 #include "bw/core/design/cut_list.h"
 #include "bw/core/text/number_text.h"
-#include "controls/answer_line.h"
 #include "workbench/block_layout.h"
 #include "workflow/cut_length.h"
 

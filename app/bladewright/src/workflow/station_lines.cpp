@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controls/slider_escape.h"
 #include "workflow/bound_number.h"
 
 namespace bw::app {
@@ -71,7 +70,7 @@ void StationLines::addSlider(FormColumn* column) {
   slider_->setAccessibleName(tr("Number of stations"));
   slider_->setToolTip(tr("Number of stations"));
   connect(slider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
-  putBackByEscape(*slider_, [this] {
+  slider_->putBackByEscape([this] {
     return [this, was = bench_.document().design()] {
       bench_.editDesign(
           tr("Change stations"), [&was](Design& design) { design = *was; }, dragId_);

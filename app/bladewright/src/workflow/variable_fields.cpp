@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "bw/core/text/typed_number.h"
-#include "controls/slider_escape.h"
 #include "workflow/vary_dialog.h"
 
 namespace bw::app {
@@ -149,7 +148,7 @@ QWidget* VariableFields::makeSliderLine(Line& line, const Variable& variable) {
   line.slider->setAccessibleName(name);
   line.slider->setToolTip(name);
   connect(line.slider, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
-  putBackByEscape(*line.slider, [this, name] {
+  line.slider->putBackByEscape([this, name] {
     return [this, name, was = bench_.document().design()] {
       bench_.editDesign(
           tr("Change %1").arg(name), [&was](Design& design) { design = *was; }, dragId_);

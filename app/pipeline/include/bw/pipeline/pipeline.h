@@ -233,6 +233,10 @@ inline constexpr int kMostBlocksMet = 256;
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
                  Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
 
+/// The stage that reads the first source of a design, beside its evaluation: whoever evaluates the design
+/// with it as what was before does not read the file once more, unless it has changed since.
+Result<Stage<SourceRequest, CadSource>> readFirstSource(const Design& design, const RunContext& context);
+
 /// The triangles of a cut's surface, unless they are there already: to be shown also where a later stage
 /// failed. `seconds` grows by the time.
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
