@@ -39,7 +39,9 @@ constexpr int kBisections = 16;  // halvings of the distance between a plane tha
 /// The first and last place along the direction where the target lies in the block.
 Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFamily& planes,
                                       const Sectioner& sectioner) {
-  const auto extent = target.extent(planes.direction());
+  // Where planes turn, no extent tells which of them meet the target.
+  const auto extent =
+      planes.turns() ? std::array<double, 2>{planes.entry, planes.exit} : target.extent(planes.direction());
   const double low = std::max(extent[0], planes.entry), high = std::min(extent[1], planes.exit);
   const auto missed = [&]() {
     return fail(ErrorCode::badInput,
@@ -169,8 +171,17 @@ Result<void> checkSetup(const Setup& setup) {
   return {};
 }
 
+Sectioner::Cutting Sectioner::at(double level) const {
+  if (parallel_) return {{}, &*parallel_, level};
+  const Frame plane = planes_.at(level);
+  auto own = std::make_shared<const PlaneCutter>(target_, plane.normal, window_.box);
+  const PlaneCutter* cutter = own.get();
+  return {std::move(own), cutter, plane.normal.dot(plane.origin)};
+}
+
 bool Sectioner::hits(double level) const {
-  const PlaneCutter::Cut cut = cutter_.cut(level);
+  const Cutting cutting = at(level);
+  const PlaneCutter::Cut cut = cutting.cutter->cut(cutting.level);
   for (const LevelPiece& piece : cut.pieces) {
     for (const LevelNode& node : piece.nodes) {
       if (window_.outside(node.p) <= 0) return true;
@@ -181,7 +192,13 @@ bool Sectioner::hits(double level) const {
 
 SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
                               const Eigen::Vector3d* through) const {
-  if (grazes(level)) level += kNudge;
+  Cutting cutting = at(level);
+  if (cutting.cutter->grazes(cutting.level)) {
+    level += kNudge;
+    cutting = at(level);
+  }
+  const PlaneCutter& cutter = *cutting.cutter;
+  const double own = cutting.level;
   SectionOutcome outcome;
   const Frame frame = planes_.at(level);
   const auto tell = [&](Severity severity, Cause cause, const Eigen::Vector3d& point) {
@@ -189,7 +206,7 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
   };
 
   const auto cut = guarded(ErrorCode::internal, "OpenCASCADE finds no section",
-                           [&]() -> Result<PlaneCutter::Cut> { return cutter_.cut(level, byKernel); });
+                           [&]() -> Result<PlaneCutter::Cut> { return cutter.cut(own, byKernel); });
   if (!cut) {
     tell(Severity::warning, SectionUnfit{cut.error().message}, frame.origin);
     return outcome;
@@ -209,7 +226,7 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
     const int division = std::max(2, int((kMinSamples + nodes - 1) / nodes));
     bool clipped = false;
-    auto pieces = clipToBlock(cutter_, sampleBranch(cutter_, branch, level, division), branch.closed, level,
+    auto pieces = clipToBlock(cutter, sampleBranch(cutter, branch, own, division), branch.closed, own,
                               window_, clipped);
     for (auto& piece : pieces) {
       const double length = lengthOf(piece);
@@ -273,7 +290,7 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     }
     SectionBranch branch;
     for (const LevelPiece& piece : pieces) branch.parts.push_back({&piece, false});
-    return sampleBranch(cutter_, branch, level, std::max(2, int((kMinSamples + nodes - 1) / nodes)));
+    return sampleBranch(cutter, branch, own, std::max(2, int((kMinSamples + nodes - 1) / nodes)));
   };
   outcome.level = level;
   outcome.beyond = {goesOn(part.branch->parts.front(), false), goesOn(part.branch->parts.back(), true)};
@@ -290,17 +307,18 @@ bool Sectioner::fit(SectionOutcome& outcome, std::vector<SectionSample> samples)
     outcome.findings.push_back(
         {Severity::warning, std::move(cause), {StationRange::of(section.index), place}, {}});
   };
+  const Cutting cutting = at(outcome.level);
   // With more samples where the curve asks for more spans.
   std::optional<CurveFit> best;
   for (int round = 0;; ++round) {
-    auto fit = fitCurve(runsOf(cutter_, samples, section.frame), kFitTolerance);
+    auto fit = fitCurve(runsOf(*cutting.cutter, samples, section.frame), kFitTolerance);
     if (!fit) {
       tell(SectionUnfit{fit.error().message});
       return false;
     }
     if (!best || fit->deviation < best->deviation) best = std::move(*fit);
     if (best->enough || int(samples.size()) > kMaxSamples / 3 || round == 8) break;
-    samples = refined(cutter_, samples, outcome.level, 3);
+    samples = refined(*cutting.cutter, samples, cutting.level, 3);
   }
   if (best->deviation > kPromised) tell(SectionRough{best->deviation});
   outcome.length = length;
@@ -310,6 +328,7 @@ bool Sectioner::fit(SectionOutcome& outcome, std::vector<SectionSample> samples)
 }
 
 void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
+  const Cutting cutting = at(outcome.level);
   const auto xOf = [&](const LevelNode& node) { return outcome.section->frame.toLocal(node.p).x(); };
   std::vector<SectionSample> samples = outcome.samples;
   double length = 0;
@@ -322,7 +341,7 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     };
     const auto at = [&](const SectionSample& a, const SectionSample& b, double part) {
       SectionSample sample = b;
-      if (!cutter_.between(b.face, a.node, b.node, part, outcome.level, sample.node)) sample = a;
+      if (!cutting.cutter->between(b.face, a.node, b.node, part, cutting.level, sample.node)) sample = a;
       return sample;
     };
     std::vector<SectionSample> more = {samples.front()};
@@ -371,7 +390,7 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     }
     if (more.size() < 2) continue;
     if (int(more.size()) < kLeastBeyond)
-      more = refined(cutter_, more, outcome.level, 1 + kLeastBeyond / int(more.size()));
+      more = refined(*cutting.cutter, more, cutting.level, 1 + kLeastBeyond / int(more.size()));
     samples.front().corner = more.front().corner = false;
     length = std::max(length, lengthOf(more));
     std::ranges::reverse(more);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,18 +35,23 @@ struct SectionOutcome {
   bool followed() const { return section && section->chosen >= 0; }
 };
 
-/// Cuts a target with the planes across one cutting direction, each to one open spline inside the block.
-/// Keeps references to `target` and `planes`. Immutable; cuts from several threads are safe.
+/// Cuts a target with the planes of a family, each to one open spline inside the block. Keeps references to
+/// `target` and `planes`. Immutable; cuts from several threads are safe.
 class Sectioner {
  public:
   Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes)
-      : planes_(planes), cutter_(target, planes.direction(), block), window_{block} {}
+      : target_(target), planes_(planes), window_{block} {
+    if (!planes.turns()) parallel_.emplace(target, planes.direction(), block);
+  }
 
   /// True if the plane meets the target within the block.
   bool hits(double level) const;
 
   /// True if the plane runs along a border or a plane face; `cut` then moves it a little.
-  bool grazes(double level) const { return cutter_.grazes(level); }
+  bool grazes(double level) const {
+    const Cutting cutting = at(level);
+    return cutting.cutter->grazes(cutting.level);
+  }
 
   /// The section at `level`; `station` is its number, for the findings. `byKernel`: OpenCASCADE's curves
   /// rather than traced ones. Of several curves the one that passes `through` a place, if that is given.
@@ -59,8 +65,18 @@ class Sectioner {
  private:
   /// Lays the spline through the samples of a section; false where there is none, which `findings` tell.
   bool fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const;
+
+  /// What cuts with the plane of a level, and which of its own levels that is.
+  struct Cutting {
+    std::shared_ptr<const PlaneCutter> own;  ///< where each plane has its own direction
+    const PlaneCutter* cutter;
+    double level;
+  };
+  Cutting at(double level) const;
+
+  const Target::Impl& target_;
   const PlaneFamily& planes_;
-  PlaneCutter cutter_;
+  std::optional<PlaneCutter> parallel_;  ///< none where planes turn
   BlockWindow window_;
 };
 

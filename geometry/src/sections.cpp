@@ -131,7 +131,7 @@ Result<void> followBeyond(const Target& target, const Setup& setup, double reach
                      const PlanarCurve& own = section.curve();
                      const Eigen::Vector3d middle =
                          section.frame.toWorld(own.value(own.parameterAt(0.5 * own.length())));
-                     const double level = setup.planes.direction().dot(section.frame.origin);
+                     const double level = setup.planes.level(section.frame.origin);
                      const SectionOutcome outcome = sectioner.cut(level, section.index, false, &middle);
                      if (outcome.followed()) section.beyond = alongSection(outcome.section->curve(), own);
                    });

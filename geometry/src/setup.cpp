@@ -282,6 +282,12 @@ Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Fi
       setup.block = autoBlock(target.impl());
     }
     setup.block = lying(setup.block, request.pose);
+    if (request.turning && !request.direction) {
+      Result<PlaneFamily> planes = PlaneFamily::turning(setup.block, *request.turning);
+      if (!planes) return tl::unexpected<Error>(planes.error());
+      setup.planes = std::move(*planes);
+      return setup;
+    }
     const Eigen::Vector3d direction =
         request.direction ? request.direction->normalized() : longerSide(setup.block);
     setup.planes = PlaneFamily::across(setup.block, direction);

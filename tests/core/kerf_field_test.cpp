@@ -149,6 +149,9 @@ TEST(KerfTable, OfAFileIsRefusedByEntryNumberAndRemedy) {
   EXPECT_NE(refusal((many + "]").c_str()).find("not of 101"), std::string::npos);
 }
 
+/// Planes across y, whose levels are y.
+const PlaneFamily kAlongY{Frame{{0, 0, 0}, -Vector3d::UnitX(), Vector3d::UnitZ(), Vector3d::UnitY()}};
+
 /// A row of straight blades from (0, y, 0), turning about that end as they travel along y, at levels 0, 10 ….
 std::vector<KerfField::Row> fan() {
   std::vector<KerfField::Row> rows;
@@ -167,7 +170,7 @@ std::vector<KerfField::Row> fan() {
 }
 
 TEST(KerfField, TellsTheSpeedOfThePointThatPassesThere) {
-  const KerfField field(kTable, Vector3d::UnitY(), fan());
+  const KerfField field(kTable, kAlongY, fan());
   for (const KerfField::Row& row : field.rows())
     for (std::size_t k = 0; k < row.places.size(); ++k) {
       EXPECT_NEAR(field.speed(row.places[k]), row.speeds[k], 1e-9);
@@ -193,7 +196,7 @@ TEST(KerfField, GoesContinuouslyBesideABentBlade) {
     row.tangents.emplace_back(std::cos(angle), 0, -std::sin(angle));
     row.speeds.push_back(5 + 0.3 * k);
   }
-  const KerfField field({{5, 5}, {17, 2}}, Vector3d::UnitY(), {row});
+  const KerfField field({{5, 5}, {17, 2}}, kAlongY, {row});
   for (const double radius : {94.0, 100.0, 106.0}) {
     double before = 0;
     for (int i = 0; i <= 4000; ++i) {
@@ -209,7 +212,7 @@ TEST(KerfField, GoesContinuouslyBesideABentBlade) {
 }
 
 TEST(KerfField, OfOneWidthIsThatWidth) {
-  const KerfField field({{5, 3}, {20, 3}}, Vector3d::UnitY(), fan());
+  const KerfField field({{5, 3}, {20, 3}}, kAlongY, fan());
   SurfaceGrid swept;
   swept.rows = 5;
   swept.columns = 21;
@@ -240,7 +243,7 @@ TEST(KerfField, SectionsOfTheMiddleKeepTheWidthOfEachPlace) {
     row.tangents.emplace_back(z / radius, 0, -x / radius);
     row.speeds.push_back(5 + 0.25 * k);
   }
-  const auto field = std::make_shared<const KerfField>(kTable, Vector3d::UnitY(), std::vector{row});
+  const auto field = std::make_shared<const KerfField>(kTable, kAlongY, std::vector{row});
   Kerf kerf;
   kerf.table = kTable;
   for (const double side : {1.0, -1.0}) {

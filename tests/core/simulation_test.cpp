@@ -70,6 +70,58 @@ test::RowSettings heavySettings() {
   return settings;
 }
 
+/// One blade in planes that turn by so much from each to the next, about an upright line 700 mm beside its
+/// middle.
+Sweep fanOf(const test::RowSettings& settings, double turn, int count) {
+  const double length = settings.blade.length;
+  Sweep sweep;
+  // Aside, so that no lead is needed.
+  sweep.block = {Frame{{-500, -500, -900}}, {1000, 1000, 100}};
+  sweep.planes = PlaneFamily::across(sweep.block, -Vector3d::UnitY());
+  sweep.request = settings;
+  const Elastica half = Elastica::make({0, 0}, 0, -1.2 / length, {0, 0}, 0.5 * length).value();
+  const Elastica blade = half.segment(-0.5 * length, 0.5 * length).value();
+  const Vector3d centre(-700, 0, 0);
+  for (int k = 0; k < count; ++k) {
+    const Eigen::AngleAxisd turned(-turn * k, Vector3d::UnitZ());
+    BladePose pose;
+    pose.index = k;
+    pose.travel = 700 * turn * k;
+    pose.frame = sweep.planes.frame;
+    pose.frame.origin = centre - turned * centre;
+    for (Vector3d* axis : {&pose.frame.x, &pose.frame.y, &pose.frame.normal}) *axis = turned * *axis;
+    pose.cut = pose.blade = blade;
+    pose.heavy = hang(blade, settings.blade.flexuralRigidity(),
+                      {settings.weight.dot(pose.frame.x), settings.weight.dot(pose.frame.y)})
+                     .value()
+                     .blade;
+    sweep.poses.push_back(pose);
+    sweep.fits.push_back({*PlanarCurve::points({{-250, 0}, {0, 1}, {250, 0}})});
+  }
+  return sweep;
+}
+
+TEST(Simulation, PlanesThatTurnAreTimedByTheOuterEnd) {
+  test::RowSettings settings = heavySettings();
+  settings.lead = 0;
+  const double turn = fromDegrees(4);
+  const Sweep sweep = fanOf(settings, turn, 5);
+  Findings findings;
+  const Motion motion = buildMotion(sweep, {}, sweep.poses, settings, findings).value();
+  ASSERT_EQ(motion.instants.size(), 5u);
+  const double outer = 700 + sweep.poses.front().blade.at(settings.blade.length).point.x();
+  ASSERT_GT(outer, 1000);
+  const double seconds = 2 * outer * std::sin(0.5 * turn) / settings.cuttingSpeed;
+  for (std::size_t i = 1; i < motion.instants.size(); ++i)
+    EXPECT_NEAR(motion.instants[i].time - motion.instants[i - 1].time, seconds, 1e-3 * seconds) << i;
+  const Simulation simulation = simulate(motion, settings.blade, settings.weight, {}).value();
+  EXPECT_FALSE(simulation.halt);
+  EXPECT_TRUE(simulation.snaps.empty());
+  ASSERT_FALSE(simulation.blades.empty());
+  EXPECT_NEAR(std::acos(simulation.blades.back().frame.normal.dot(simulation.blades.front().frame.normal)),
+              4 * turn, 1e-6);
+}
+
 TEST(Simulation, CutsWhatIsShown) {
   for (const bool hangs : {true, false}) {
     test::RowSettings settings = heavySettings();

@@ -134,8 +134,8 @@ Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tol
   if (!fewest) return tl::unexpected<Error>(fewest.error());
   if (cut.setup) {
     const PlaneFamily& planes = cut.setup->planes;
-    reach(fewest->blades, planes.travel(planes.direction().dot(framed->front().frame.origin)),
-          planes.exit - planes.direction().dot(framed->back().frame.origin));
+    reach(fewest->blades, planes.travel(planes.level(framed->front().frame.origin)),
+          planes.exit - planes.level(framed->back().frame.origin));
   }
   found.deviation = fewest->deviation;
   found.worst = curves[fewest->worst].y;

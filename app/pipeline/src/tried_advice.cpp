@@ -4,6 +4,7 @@
 #include "tried_advice.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "advice.h"
@@ -53,8 +54,8 @@ bool servesAsDesigned(const CutWork& work, const RowTrial& trial, CutEvaluation*
   if (!work.blade().autoLength) cut.length = trial.length;
   // What does not hang on the blade stands.
   CutEvaluation own;
+  if (computed) std::swap(*computed, own);
   CutEvaluation& anew = computed ? *computed : own;
-  anew = {};
   anew.id = work.e.id;
   anew.target = work.e.target;
   anew.targetMesh = work.e.targetMesh;

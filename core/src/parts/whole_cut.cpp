@@ -62,7 +62,7 @@ Result<WholeCut> wholeCut(const std::vector<BladePose>& course, const PlaneFamil
     const Row& last = atEnd ? rows.back() : rows.front();
     const bool through = atEnd ? end > length - kAtFace : end < kAtFace;
     // Outside of the block it goes on as it comes; in it the blade is carried straight on.
-    Row slope(kColumns, planes.direction());
+    Row slope(kColumns, (atEnd ? course.back() : course.front()).frame.normal);
     if (through) {
       const Row before = near(rows, travel, atEnd, end - way * kLeastApart);
       for (std::size_t c = 0; c < slope.size(); ++c) slope[c] = way * (last[c] - before[c]) / kLeastApart;

@@ -240,7 +240,7 @@ std::optional<std::vector<Section>> isoSections(const SplineSurface& surface, co
   for (const Section& one : like) {
     const Frame& frame = one.frame;
     const double level = levelOf(one);
-    if (one.chosen < 0 || level < low || level > high) return {};
+    if (one.chosen < 0 || level < low || level > high || frame.normal != direction) return {};
     const double v = parameterOf(*levels, level);
     Curve whole{surface.knotsU, {}};
     whole.poles.reserve(std::size_t(surface.polesU));

@@ -32,19 +32,22 @@ struct Part {
   bool any() const { return to > from; }
 };
 
+Vector3d middleOf(const SimulatedBlade& at) {
+  return at.frame.toWorld(at.blade.at(0.5 * at.blade.length()).point);
+}
+
 /// A run over the surface shown.
 class Runs {
  public:
   Runs(const Simulation& simulation, const SurfaceGrid& shown, const PlaneFamily& planes)
       : blades_(simulation.blades), rows_(shown, planes), whole_(simulation.swept(columnsOver(shown))) {
-    const Vector3d& d = planes.direction();
     bool metBefore = false;
     for (std::size_t r = 0; r < blades_.size(); ++r) {
       bool meets = false;  // the surface, or what goes on before it and after it
       parts_.push_back(partAt(r, meets));
-      const double level = d.dot(blades_[r].frame.origin);
+      const double level = planes.level(middleOf(blades_[r]));
       if (r > 0 && meets && metBefore)
-        passed_.push_back(std::minmax({d.dot(blades_[r - 1].frame.origin), level}));
+        passed_.push_back(std::minmax({planes.level(middleOf(blades_[r - 1])), level}));
       metBefore = meets;
     }
   }
@@ -184,8 +187,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
   if (area > 0) {
     surface.toDesignMean = design / area;
     surface.toTargetMean = away / area;
-    const Vector3d& d = planes.direction();
-    const double begin = d.dot(shown.at(0, 0)), end = d.dot(shown.at(shown.rows - 1, 0));
+    const double begin = planes.level(shown.at(0, 0)), end = planes.level(shown.at(shown.rows - 1, 0));
     if (end > begin) surface.covered = runs.passed(begin, end) / (end - begin);
   }
   if (cut) *cut = std::move(grid);

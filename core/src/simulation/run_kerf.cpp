@@ -22,14 +22,13 @@ constexpr double kStill = 1e-6;  // mm of travel, and s
 std::optional<KerfField> kerfOf(const Simulation& simulation, const SurfaceGrid& shown,
                                 const PlaneFamily& planes, const KerfTable& table) {
   if (shown.rows < 2) return {};
-  const Vector3d& direction = planes.direction();
-  const double begin = direction.dot(shown.at(0, 0)) - kEdge,
-               end = direction.dot(shown.at(shown.rows - 1, 0)) + kEdge;
+  const double begin = planes.level(shown.at(0, 0)) - kEdge,
+               end = planes.level(shown.at(shown.rows - 1, 0)) + kEdge;
   // The moments of the way over the surface, each farther than the one before.
   std::vector<const SimulatedBlade*> moments;
   std::vector<KerfField::Row> rows;
   for (const SimulatedBlade& at : simulation.blades) {
-    const double level = direction.dot(at.frame.origin);
+    const double level = planes.level(at.frame.toWorld(at.blade.at(0.5 * at.blade.length()).point));
     if (level < begin || level > end) continue;
     if (!rows.empty() && (level < rows.back().level + kStill || at.time < moments.back()->time + kStill))
       continue;
@@ -49,7 +48,7 @@ std::optional<KerfField> kerfOf(const Simulation& simulation, const SurfaceGrid&
     for (std::size_t k = 0; k < rows[i].places.size(); ++k)
       rows[i].speeds.push_back((rows[to].places[k] - rows[from].places[k]).norm() / seconds);
   }
-  return KerfField(table, direction, std::move(rows));
+  return KerfField(table, planes, std::move(rows));
 }
 
 }  // namespace bw

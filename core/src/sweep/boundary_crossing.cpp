@@ -224,9 +224,7 @@ void addEnd(const RowBoundary& at, bool front, Crossings& crossings) {
 
 }  // namespace
 
-double levelOf(const Sweep& sweep, const BladePose& pose) {
-  return sweep.planes.direction().dot(pose.frame.origin);
-}
+double levelOf(const Sweep& sweep, const BladePose& pose) { return sweep.planes.level(pose.frame.origin); }
 
 std::optional<BladePose> RowBlades::at(double level) {
   const BladePose& front = sweep_.poses.front();

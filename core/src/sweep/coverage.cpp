@@ -33,11 +33,10 @@ Uncovered causeOf(const Coverage& coverage, const Sweep& sweep, bool off) {
     cause.where = Uncovered::Where::off;
     return cause;
   }
-  const auto level = [&](const Frame& frame) { return sweep.planes.direction().dot(frame.origin); };
-  const double place = sweep.planes.direction().dot(coverage.point);
-  if (place < level(sweep.poses.front().frame))
+  const double place = sweep.planes.level(coverage.point);
+  if (place < sweep.planes.level(sweep.poses.front().frame.origin))
     cause.where = Uncovered::Where::before;
-  else if (place > level(sweep.poses.back().frame))
+  else if (place > sweep.planes.level(sweep.poses.back().frame.origin))
     cause.where = Uncovered::Where::after;
   return cause;
 }

@@ -98,8 +98,8 @@ BladeWay End::follow(const Bend& from, const Bend& to, int moves) const {
       if (!start) return lost(start.error().message);
       branch = *start;
     } else {
-      const HeavyProblem a = sweep::heldAt(sweep_, way.poses.back()), b = sweep::heldAt(sweep_, pose);
-      for (const HeavyProblem& next : {sweep::onTheWay(a, b, 0.5), b}) {
+      const sweep::Move half(sweep_, way.poses.back(), pose);
+      for (const HeavyProblem& next : {half.at(0.5).problem, sweep::heldAt(sweep_, pose)}) {
         const Result<ClampedBranch::Move> move = branch->moveTo(next);
         if (!move) return lost(move.error().message);
         if (move->snapped) return lost("the blade snaps into another shape on the way");
@@ -157,10 +157,11 @@ BladeWay End::plan() const {
 /// lower than the floor, or than the last one where that is lower already: the arc by most, and each next one
 /// evenly by less. An upright move changes no shape.
 void raise(const Sweep& sweep, double floor, std::vector<BladePose>& way) {
+  if (way.size() < 2) return;
   constexpr double kLying = 0.1;  // of 1: planes that lie so flat are not raised in
-  const Eigen::Vector3d &up = sweep.block.frame.normal, &d = sweep.planes.direction();
+  const Eigen::Vector3d &up = sweep.block.frame.normal, &d = way.front().frame.normal;
   const Eigen::Vector3d upright = up - up.dot(d) * d;
-  if (way.size() < 2 || upright.norm() < kLying) return;
+  if (upright.norm() < kLying) return;
   const double least = std::min(floor, lowestPlace(sweep.block, way.back()).height);
   const auto last = double(way.size() - 1);
   double rise = 0;  // mm, of the arc
@@ -177,17 +178,23 @@ Result<EntryExit> planEntryExit(const Sweep& sweep, const EntryExitRequest& requ
                                 const RunContext& context) {
   EntryExit plan;
   if (sweep.poses.empty()) return plan;
-  const Eigen::Vector3d& d = sweep.planes.direction();
   const double away = std::max(request.lead, kAway);
   const auto end = [&](int i) {
     const bool entry = i == 0;
     const BladePose& pose = entry ? sweep.poses.front() : sweep.poses.back();
     BladeWay way = End(sweep, pose, request).plan();
-    const double level = entry ? sweep.planes.entry - away : sweep.planes.exit + away;
+    // Out of the block across the plane of the station.
+    const Eigen::Vector3d& ahead = pose.frame.normal;
+    double shift = 0;
+    for (const Eigen::Vector3d& corner : sweep.block.corners()) {
+      const double place = ahead.dot(corner - pose.frame.origin);
+      shift = entry ? std::min(shift, place) : std::max(shift, place);
+    }
+    shift += entry ? -away : away;
     for (BladePose& at : way.poses) {
       at.index = -1;
-      at.travel = sweep.planes.travel(level);
-      at.frame.origin += (level - d.dot(pose.frame.origin)) * d;
+      at.travel = pose.travel + shift;
+      at.frame.origin += shift * ahead;
     }
     if (request.floor) raise(sweep, *request.floor, way.poses);
     if (!entry) std::ranges::reverse(way.poses);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,16 +33,64 @@ namespace bw::sweep {
   return problem;
 }
 
-/// The grips a share of the way from one hold to the next as robots move them: straight, their tangents
-/// evenly.
-[[nodiscard]] inline HeavyProblem onTheWay(const HeavyProblem& from, const HeavyProblem& to, double share) {
-  HeavyProblem there = from;
-  there.grips.start += share * (to.grips.start - from.grips.start);
-  there.grips.end += share * (to.grips.end - from.grips.end);
-  *there.grips.startAngle += share * std::remainder(*to.grips.startAngle - *from.grips.startAngle, 2 * kPi);
-  *there.grips.endAngle += share * std::remainder(*to.grips.endAngle - *from.grips.endAngle, 2 * kPi);
+/// The plane a share of the way from one to another: its origin goes straight, its axes turn evenly.
+[[nodiscard]] inline Frame planeBetween(const Frame& from, const Frame& to, double share) {
+  Frame there = from;
+  there.origin += share * (to.origin - from.origin);
+  if (to.x == from.x && to.y == from.y) return there;
+  const auto axes = [](const Frame& frame) {
+    Eigen::Matrix3d columns;
+    columns << frame.x, frame.y, frame.normal;
+    return Eigen::Quaterniond(columns);
+  };
+  const Eigen::Matrix3d turned = axes(from).slerp(share, axes(to)).normalized().toRotationMatrix();
+  there.x = turned.col(0);
+  there.y = turned.col(1);
+  there.normal = turned.col(2);
   return there;
 }
+
+/// How robots move the grips from one pose of a row to another: straight in space, their tangents evenly.
+class Move {
+ public:
+  Move(const Sweep& sweep, const BladePose& from, const BladePose& to)
+      : sweep_(sweep),
+        fromFrame_(from.frame),
+        toFrame_(to.frame),
+        from_(heldAt(sweep, from)),
+        to_(heldAt(sweep, to)) {}
+
+  struct Hold {
+    Frame frame;  ///< of the plane in which the blade is then
+    HeavyProblem problem;
+  };
+  /// A share of the way on.
+  [[nodiscard]] Hold at(double share) const {
+    Hold hold{planeBetween(fromFrame_, toFrame_, share), from_};
+    ClampedProblem& grips = hold.problem.grips;
+    grips.start += share * (to_.grips.start - grips.start);
+    grips.end += share * (to_.grips.end - grips.end);
+    *grips.startAngle += share * std::remainder(*to_.grips.startAngle - *grips.startAngle, 2 * kPi);
+    *grips.endAngle += share * std::remainder(*to_.grips.endAngle - *grips.endAngle, 2 * kPi);
+    if (fromFrame_.x == toFrame_.x && fromFrame_.y == toFrame_.y) return hold;
+    // Where the plane turns, what is straight in space is bent in it.
+    const auto between = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) -> Eigen::Vector3d {
+      return hold.frame.toLocal((1 - share) * fromFrame_.toWorld(a) + share * toFrame_.toWorld(b));
+    };
+    const Eigen::Vector3d start = between(from_.grips.start, to_.grips.start),
+                          end = between(from_.grips.end, to_.grips.end);
+    grips.start = start.head<2>();
+    grips.end = end.head<2>();
+    hold.frame.origin += 0.5 * (start.z() + end.z()) * hold.frame.normal;
+    hold.problem.weight = weightIn(sweep_, hold.frame);
+    return hold;
+  }
+
+ private:
+  const Sweep& sweep_;
+  Frame fromFrame_, toFrame_;
+  HeavyProblem from_, to_;
+};
 
 /// The blade at rest in a pose, as the row has it. Empty where it is not known.
 [[nodiscard]] inline std::optional<HeavyBranch> standing(const Sweep& sweep, const BladePose& pose) {

@@ -38,8 +38,8 @@ constexpr double kTogether = 10;    // mm between places of two surfaces that be
 constexpr double kBeyond = 0.5;     // of a chord: past the end of a line there is nothing to meet
 
 bool sameFamily(const PlaneFamily& a, const PlaneFamily& b) {
-  return a.direction().cross(b.direction()).norm() < kParallel && a.direction().dot(b.direction()) > 0 &&
-         a.frame.x.cross(b.frame.x).norm() < kParallel;
+  return !a.turns() && !b.turns() && a.direction().cross(b.direction()).norm() < kParallel &&
+         a.direction().dot(b.direction()) > 0 && a.frame.x.cross(b.frame.x).norm() < kParallel;
 }
 
 /// The angle between two lines.
@@ -233,7 +233,7 @@ Result<void> beside(Pair& pair, const RunContext& context) {
     const Sweep& other = rows[1 - i]->sweep;
     for (sweep::CrossingLine& line : ends->lines) {
       for (const Crossing& place : line) {
-        const double level = other.planes.direction().dot(place.point);
+        const double level = other.planes.level(place.point);
         if (!common || level < levelOf(other, other.poses.front()) - kRowInset ||
             level > levelOf(other, other.poses.back()) + kRowInset)
           loose[i].push_back(place);
@@ -296,7 +296,7 @@ void inLine(Pair& pair) {
   const Boundary& boundary = pair.mine.boundary;
   const Vector3d& direction = pair.mine.sweep.planes.direction();
   const bool forwards = direction.dot(boundary.normal) > 0;
-  const double level = direction.dot(boundary.point);
+  const double level = pair.mine.sweep.planes.level(boundary.point);
   const auto reaches = [&](const Sweep& sweep, bool front) {
     return std::abs(levelOf(sweep, front ? sweep.poses.front() : sweep.poses.back()) - level) <=
            0.5 * boundary.apart + sweep::kNearBoundary;
@@ -439,7 +439,10 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
     const Sweep &a = *rows[joint.first].sweep, &b = *rows[joint.second].sweep;
     Pair pair{{a, boundary, b.block, kerfs[joint.first]}, {b, boundary, a.block, kerfs[joint.second]}, joint};
     const double along = std::abs(a.planes.direction().dot(boundary.normal));
-    if (along > 1 - kParallel && sameFamily(a.planes, b.planes))
+    // Surfaces of planes that turn go on another way at each place of a blade.
+    if (a.planes.turns() || b.planes.turns())
+      pair.cannotTell(boundary.point);
+    else if (along > 1 - kParallel && sameFamily(a.planes, b.planes))
       inLine(pair);
     else
       (void)beside(pair, context);  // a stop is told below

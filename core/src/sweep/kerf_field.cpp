@@ -48,7 +48,7 @@ KerfField::Row rowOf(const BladePose& pose, const PlaneFamily& planes, const std
   const std::vector<double> arcs = pose.cutArcs(int(speeds.size()));
   std::vector<Elastica::State> states(arcs.size());
   pose.at(arcs, states);
-  KerfField::Row row{planes.direction().dot(pose.frame.origin), {}, {}, speeds};
+  KerfField::Row row{planes.level(pose.frame.origin), {}, {}, speeds};
   for (const Elastica::State& state : states) {
     row.places.push_back(pose.frame.toWorld(state.point));
     row.tangents.push_back(pose.frame.directionToWorld({std::cos(state.angle), std::sin(state.angle)}));
@@ -79,14 +79,14 @@ class MovedByField final : public SurfaceSampler {
 
 }  // namespace
 
-KerfField::KerfField(KerfTable table, const Vector3d& direction, std::vector<Row> rows)
-    : table_(std::move(table)), direction_(direction), rows_(std::move(rows)) {}
+KerfField::KerfField(KerfTable table, const PlaneFamily& planes, std::vector<Row> rows)
+    : table_(std::move(table)), planes_(planes), rows_(std::move(rows)) {}
 
 KerfField KerfField::of(const Sweep& sweep, const SweepCheck& check, const KerfTable& table) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < sweep.poses.size(); ++i)
     rows.push_back(rowOf(sweep.poses[i], sweep.planes, check.velocities[i].speed));
-  return {table, sweep.planes.direction(), std::move(rows)};
+  return {table, sweep.planes, std::move(rows)};
 }
 
 KerfField KerfField::of(const Sweep& sweep, double cuttingSpeed, const KerfTable& table) {
@@ -98,11 +98,11 @@ KerfField KerfField::of(const Sweep& sweep, double cuttingSpeed, const KerfTable
         sweep::stationVelocity(sweep.poses, travel, i, sweep::kColumns, cuttingSpeed);
     rows.push_back(rowOf(sweep.poses[i], sweep.planes, velocity.speed));
   }
-  return {table, sweep.planes.direction(), std::move(rows)};
+  return {table, sweep.planes, std::move(rows)};
 }
 
 double KerfField::speed(const Vector3d& place) const {
-  const double level = direction_.dot(place);
+  const double level = planes_.level(place);
   const auto after = std::ranges::upper_bound(rows_, level, {}, &Row::level);
   if (after == rows_.begin()) return speedOn(rows_.front(), place);
   const Row& a = *std::prev(after);

@@ -48,21 +48,19 @@ std::vector<Points> pointsBetween(const Sweep& sweep, const BladePose& from, con
                                   std::span<const double> arcs) {
   if (sweep::isTaut(from) && sweep::isTaut(to)) return {};
   std::vector<Points> instants(kInstants - 1);
-  const HeavyProblem a = sweep::heldAt(sweep, from), b = sweep::heldAt(sweep, to);
-  const Eigen::Vector3d travel = to.frame.origin - from.frame.origin;
+  const sweep::Move move(sweep, from, to);
   std::vector<Elastica::State> states(arcs.size());
   const auto follows = [&](const BladePose& pose, bool ahead) {
     std::optional<HeavyBranch> branch = sweep::isTaut(pose) ? std::nullopt : sweep::standing(sweep, pose);
     for (int k = 1; branch && k < kInstants; ++k) {
       const int at = ahead ? k : kInstants - k;
-      const double share = double(at) / kInstants;
-      const Result<ClampedBranch::Move> move = branch->moveTo(sweep::onTheWay(a, b, share));
-      if (!move || move->snapped) return false;
+      const sweep::Move::Hold hold = move.at(double(at) / kInstants);
+      const Result<ClampedBranch::Move> moved = branch->moveTo(hold.problem);
+      if (!moved || moved->snapped) return false;
       branch->blade().at(arcs, states);
       Points& points = instants[std::size_t(at - 1)];
       points.clear();
-      for (const Elastica::State& state : states)
-        points.push_back(from.frame.toWorld(state.point) + share * travel);
+      for (const Elastica::State& state : states) points.push_back(hold.frame.toWorld(state.point));
     }
     return branch.has_value();
   };
@@ -73,17 +71,21 @@ std::vector<Points> pointsBetween(const Sweep& sweep, const BladePose& from, con
 constexpr double kOutside = 1;  // mm between the blade and the block at the end of a lead that was grown
 
 /// The lead after which no point of the blade is in the block: the one asked for where that does.
-/// `toTheFace`: mm of travel from the pose to the face of the block that its plane leaves by.
-double clearingLead(const Sweep& sweep, const BladePose& pose, double lead, double toTheFace, double sense) {
+/// The blade is carried across its plane, ahead or back (`sense`).
+double clearingLead(const Sweep& sweep, const BladePose& pose, double lead, double sense) {
   constexpr int kPlaces = 201;
-  const Eigen::Vector3d move = sense * lead * sweep.planes.direction();
+  const Eigen::Vector3d ahead = sense * pose.frame.normal, move = lead * ahead;
   const Eigen::Array3d size = sweep.block.size.array();
   const std::vector<Eigen::Vector3d> places = pose.bladePoints(kPlaces);
   const bool inFoam = std::ranges::any_of(places, [&](const Eigen::Vector3d& place) {
     const Eigen::Array3d local = sweep.block.frame.toLocal(place + move).array();
     return (local > 0).all() && (local < size).all();
   });
-  return inFoam ? std::max(lead, toTheFace + kOutside) : lead;
+  if (!inFoam) return lead;
+  // Where its plane has left the block.
+  for (const Eigen::Vector3d& corner : sweep.block.corners())
+    lead = std::max(lead, ahead.dot(corner - pose.frame.origin) + kOutside);
+  return lead;
 }
 
 }  // namespace
@@ -98,17 +100,18 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
                 double(sweep.poses.size()), 2.0);
   const Frame& frame = sweep.block.frame;
-  const Eigen::Vector3d& d = sweep.planes.direction();
-  const Eigen::Vector3d ahead(d.dot(frame.x), d.dot(frame.y), d.dot(frame.normal));
-  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, ahead, ahead};
+  // Outside of the foam a blade whose shape is held goes on across its plane.
+  const auto ahead = [&frame](const BladePose& pose) -> Eigen::Vector3d {
+    const Eigen::Vector3d& n = pose.frame.normal;
+    return {n.dot(frame.x), n.dot(frame.y), n.dot(frame.normal)};
+  };
+  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, ahead(sweep.poses.front()),
+                ahead(sweep.poses.back())};
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
-  const auto level = [&](const BladePose& pose) { return d.dot(pose.frame.origin); };
-  const double leadIn = clearingLead(sweep, sweep.poses.front(), request.lead,
-                                     level(sweep.poses.front()) - sweep.planes.entry, -1),
-               leadOut = clearingLead(sweep, sweep.poses.back(), request.lead,
-                                      sweep.planes.exit - level(sweep.poses.back()), 1);
+  const double leadIn = clearingLead(sweep, sweep.poses.front(), request.lead, -1),
+               leadOut = clearingLead(sweep, sweep.poses.back(), request.lead, 1);
   if (leadIn > request.lead)
     findings.push_back({Severity::info,
                         LeadGrown{request.lead, leadIn, true},
@@ -124,13 +127,13 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   Points last;  // of the blade in that pose, where it was moved to
   double shifted = 0;
   sweep::FloorWatch floor(sweep.block, request.floor);
-  const auto movedBy = [&d](double shift, Points points) {
-    for (Eigen::Vector3d& point : points) point += shift * d;
+  const auto movedBy = [](double shift, const BladePose& pose, Points points) {
+    for (Eigen::Vector3d& point : points) point += shift * pose.frame.normal;
     return points;
   };
-  // The blade goes on to a pose, moved by so much along the travel.
+  // The blade goes on to a pose, moved by so much across its plane.
   const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
-    Points here = movedBy(shift, pose.points(arcs));
+    Points here = movedBy(shift, pose, pose.points(arcs));
     if (before) {
       std::vector<Points> way = pointsBetween(sweep, *before, pose, arcs);
       const auto parts = double(way.size() + 1);
@@ -140,7 +143,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
           fastest = std::max(fastest, parts * (next[i] - last[i]).norm());
       };
       for (std::size_t k = 0; k < way.size(); ++k) {
-        Points next = movedBy(std::lerp(shifted, shift, double(k + 1) / parts), std::move(way[k]));
+        Points next = movedBy(std::lerp(shifted, shift, double(k + 1) / parts), pose, std::move(way[k]));
         floor.see(next, -1);
         goOn(next);
         last = std::move(next);
@@ -152,14 +155,14 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     last = std::move(here);
     before = &pose;
     shifted = shift;
-    const Eigen::Vector3d move = shift * d, n = pose.frame.normal;
+    const Eigen::Vector3d n = pose.frame.normal, move = shift * n;
     motion.instants.push_back({time,
                                station,
                                {endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), n),
                                 endPose(sweep.block, pose.rightPoint() + move, -pose.rightTangent(), n)}});
   };
   const auto apart = [&](const BladePose& end, const BladePose& bent, double lead) {
-    return std::abs(level(end) + lead - level(bent)) > kSamePlane;
+    return std::abs(end.frame.normal.dot(end.frame.origin - bent.frame.origin) + lead) > kSamePlane;
   };
   for (const BladePose& pose : ends.entry.poses) go(pose, 0, -1, kLeastBend);
   if (leadIn > 0 &&

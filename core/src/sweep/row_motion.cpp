@@ -88,7 +88,8 @@ class Follower {
  private:
   double travelOf(const std::vector<Vector3d>& places) const {
     const BladePose& first = row_.poses.front();
-    return first.travel + row_.planes.direction().dot(places.front() - first.frame.origin);
+    return first.travel + row_.planes.level(places[places.size() / 2]) -
+           row_.planes.level(first.frame.origin);
   }
 
   Way follow(std::size_t start, std::size_t end, int moves) const {
@@ -168,10 +169,11 @@ class Follower {
     std::optional<HeavyBranch> branch = sweep::standing(row_, poses.front());
     if (!branch) return;
     for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
-      const HeavyProblem a = sweep::heldAt(row_, poses[j]), b = sweep::heldAt(row_, poses[j + 1]);
+      const sweep::Move course(row_, poses[j], poses[j + 1]);
       for (int k = 1; k <= looks; ++k) {
         const double share = double(k) / looks;
-        const Result<ClampedBranch::Move> move = branch->moveTo(sweep::onTheWay(a, b, share));
+        const sweep::Move::Hold hold = course.at(share);
+        const Result<ClampedBranch::Move> move = branch->moveTo(hold.problem);
         if (!move) {
           way.end = Way::End::lost;
           way.why = move.error().message;
@@ -181,7 +183,7 @@ class Follower {
           way.end = Way::End::snaps;
           return;
         }
-        const std::vector<Vector3d> places = cut(poses[j], poses[j + 1], share, branch->blade());
+        const std::vector<Vector3d> places = cut(poses[j], poses[j + 1], share, hold.frame, branch->blade());
         if (k < looks || j + 2 < poses.size()) {
           if (k < looks) way.off = std::max(way.off, offTheWay(places, branch));
           way.places.push_back(places);
@@ -198,7 +200,7 @@ class Follower {
   }
 
   /// Where the part that cuts is then, in space.
-  static std::vector<Vector3d> cut(const BladePose& a, const BladePose& b, double share,
+  static std::vector<Vector3d> cut(const BladePose& a, const BladePose& b, double share, const Frame& frame,
                                    const HeavyBlade& blade) {
     const double from = std::lerp(a.before, b.before, share),
                  length = std::lerp(a.cut.length(), b.cut.length(), share);
@@ -206,9 +208,8 @@ class Follower {
     for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = from + length * k / (kPlaces - 1);
     std::vector<Elastica::State> states(kPlaces);
     blade.at(arcs, states);
-    const Vector3d travelled = share * (b.frame.origin - a.frame.origin);
     std::vector<Vector3d> places;
-    for (const Elastica::State& state : states) places.push_back(a.frame.toWorld(state.point) + travelled);
+    for (const Elastica::State& state : states) places.push_back(frame.toWorld(state.point));
     return places;
   }
 

@@ -57,6 +57,8 @@ Row::Row(const Sweep& sweep, const RunContext& context)
       unit_(0.25 * length_),
       limit_(kAtLimit * sweep.request.blade.maxCurvature()),
       passed_(sweep.block) {
+  // Planes that turn may pass the block's corners anywhere.
+  if (sweep.planes.turns()) return;
   // What the blade passes on its way is as near before the block and after it.
   constexpr double kFarOn = 1e6;  // mm
   Eigen::Index along = 0;

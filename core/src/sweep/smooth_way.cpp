@@ -39,9 +39,10 @@ std::optional<BladePose> SmoothWay::at(double travel) const {
   const Result<Elastica> blade = aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
   const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
   if (!cut) return {};
-  BladePose pose{-1, travel, a.frame, *cut, *blade, n(6)};
-  pose.frame.origin += s * (b.frame.origin - a.frame.origin);
-  return pose;
+  const PlaneFamily& planes = row_.planes;
+  return BladePose{
+      -1,   travel, planes.turns() ? planes.at(planes.entry + travel) : planeBetween(a.frame, b.frame, s),
+      *cut, *blade, n(6)};
 }
 
 SmoothWay::Numbers SmoothWay::endSlope(bool front) const {

@@ -34,18 +34,18 @@ double squaredFromTriangle(const Vector3d& point, const Vector3d& a, const Vecto
 
 }  // namespace
 
-SurfaceRows::SurfaceRows(const SurfaceGrid& cut, const PlaneFamily& planes)
-    : cut_(cut), direction_(planes.direction()) {
+SurfaceRows::SurfaceRows(const SurfaceGrid& cut, const PlaneFamily& planes) : cut_(cut), planes_(planes) {
   for (int r = 0; r < cut.rows; ++r) {
-    const double level = direction_.dot(cut.at(r, 0));
+    const double level = planes.level(cut.at(r, 0));
     levels_.push_back(r == 0 ? level : std::max(level, levels_.back()));
   }
 }
 
 SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
-  const double level = direction_.dot(place);
+  const double level = planes_.level(place);
   Seen seen;
   seen.across = std::max({0.0, levels_.front() - level, level - levels_.back()});
+  if (planes_.turns() && seen.across > 0) seen.across *= planes_.speed(level, place);
   const auto above = std::ranges::upper_bound(levels_, level) - levels_.begin();
   const auto row = std::size_t(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ptrdiff_t(levels_.size()) - 2));
   const double width = levels_[row + 1] - levels_[row];
@@ -54,7 +54,8 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
   const auto at = [&](int c) -> Vector3d {
     return (1 - share) * cut_.at(int(row), c) + share * cut_.at(int(row) + 1, c);
   };
-  const auto inPlane = [&](const Vector3d& v) -> Vector3d { return v - v.dot(direction_) * direction_; };
+  const Vector3d across = planes_.at(level).normal;
+  const auto inPlane = [&](const Vector3d& v) -> Vector3d { return v - v.dot(across) * across; };
 
   // The nearest of some columns, and beside it the nearest place on the chords between all of them.
   constexpr int kStride = 5;
@@ -104,11 +105,13 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
 }
 
 double SurfaceRows::distance(const Vector3d& place, double within) const {
-  const double level = direction_.dot(place);
+  const double level = planes_.level(place);
   double nearest = within;
-  const auto away = [&](std::size_t row) {
-    return std::max({0.0, levels_[row] - level, level - levels_[row + 1]});
+  const auto ahead = [&](std::size_t row) {
+    const Frame plane = planes_.at(levels_[row]);
+    return plane.normal.dot(place - plane.origin);
   };
+  const auto away = [&](std::size_t row) { return std::max({0.0, -ahead(row), ahead(row + 1)}); };
   const auto look = [&](std::size_t row) {
     const int r = int(row);
     for (int c = 0; c + 1 < cut_.columns; ++c) {

@@ -31,7 +31,7 @@ class SurfaceRows {
 
  private:
   const SurfaceGrid& cut_;
-  Eigen::Vector3d direction_;
+  PlaneFamily planes_;
   std::vector<double> levels_;
 };
 

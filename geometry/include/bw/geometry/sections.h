@@ -32,13 +32,15 @@ struct SetupRequest {
   std::optional<BlockPlacement> block;       ///< empty: around the target
   std::optional<Eigen::Vector3d> direction;  ///< in the file's frame, not zero; empty: along the block
   CutPose pose = {};                         ///< how the block lies
+  /// Planes that turn, where no direction is given.
+  std::optional<TurningPlanes> turning = std::nullopt;
   bool operator==(const SetupRequest&) const = default;
 };
 
 /// Resolves what is not given: the block around the target (oriented box of the part's frame, axis-parallel
 /// where that is nearly as small, with a few mm of margin below and above so that no cut runs along a face of
 /// the block) and the cutting direction (the longer side of that box). A given direction is normalised; a
-/// zero one is an error.
+/// zero one is an error, and so are planes that turn and meet in the block.
 Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Findings& findings);
 
 /// A way that the blade could go, with the name of where it comes from.

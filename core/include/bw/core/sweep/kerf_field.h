@@ -19,7 +19,7 @@ struct SweepCheck;
 /// (docs/mathematics.md, kerf).
 class KerfField {
  public:
-  /// The blade as it stands in one plane across the direction of travel.
+  /// The blade as it stands in one plane of a family.
   struct Row {
     double level = 0;                       ///< mm, of its plane
     std::vector<Eigen::Vector3d> places;    ///< of the part that cuts, two or more
@@ -27,9 +27,9 @@ class KerfField {
     std::vector<double> speeds;             ///< mm/s, likewise
   };
 
-  /// `rows`: one or more, ascending in their level along `direction`. Between two of them speeds go evenly,
-  /// before the first and after the last they are as there.
-  KerfField(KerfTable table, const Eigen::Vector3d& direction, std::vector<Row> rows);
+  /// `rows`: one or more, ascending in their level of `planes`. Between two of them speeds go evenly, before
+  /// the first and after the last they are as there.
+  KerfField(KerfTable table, const PlaneFamily& planes, std::vector<Row> rows);
 
   /// That of a row of two stations or more, whose velocities are known, or whose fastest point goes at
   /// `cuttingSpeed` (mm/s). Some 0.1 ms a station.
@@ -46,7 +46,7 @@ class KerfField {
 
  private:
   KerfTable table_;
-  Eigen::Vector3d direction_;
+  PlaneFamily planes_;
   std::vector<Row> rows_;
 };
 
