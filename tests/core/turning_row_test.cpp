@@ -16,6 +16,7 @@
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/exact_coverage.h"
+#include "bw/core/sweep/joints.h"
 #include "bw/core/sweep/kerf_field.h"
 #include "bw/core/sweep/live_row.h"
 #include "bw/core/sweep/row_motion.h"
@@ -188,6 +189,62 @@ TEST(TurningRow, GoesOnLiveAndThroughTheWholeBlock) {
   // Before its first blade and behind its last one it goes on across their planes.
   const Vector3d begins = whole.grid.at(1, 20) - whole.grid.at(0, 20);
   EXPECT_GT(begins.normalized().dot(made.sweep.poses.front().frame.normal), 0.99);
+}
+
+/// The row of a part of the block on a sphere: of each plane the part of its section between two bounds.
+Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
+  const Box box{Frame{low}, high - low};
+  const PlaneFamily planes = PlaneFamily::turning(box, test::fanAlongY(kReach, kTurn)).value();
+  std::vector<Section> sections;
+  for (int i = 0; i < kStations; ++i) {
+    const double level = -kReach + 2 * kReach * i / (kStations - 1);
+    Section section{i, planes.travel(level), planes.at(level), {}, -1};
+    const Frame& frame = section.frame;
+    std::vector<Eigen::Vector2d> points;
+    constexpr int kFine = 4000;
+    for (int k = 0; k <= kFine; ++k) {
+      const double x = 400 * (2.0 * k / kFine - 1);
+      const Vector3d flat = frame.toWorld(Eigen::Vector2d(x, 0));
+      if ((flat.head<2>().array() < low.head<2>().array()).any() ||
+          (flat.head<2>().array() > high.head<2>().array()).any())
+        continue;
+      points.emplace_back(x, std::sqrt(radius * radius - flat.head<2>().squaredNorm()) - flat.z());
+    }
+    if (points.size() > 100) {
+      section.branches = {*PlanarCurve::points(points)};
+      section.chosen = 0;
+    }
+    sections.push_back(std::move(section));
+  }
+  test::RowSettings settings;
+  settings.blade.yieldStress = 2000;
+  Findings findings;
+  return buildSweep(sections, settings, box, planes, {}, findings).value();
+}
+
+TEST(TurningRow, MeetsThatOfTheBlockBesideIt) {
+  const Sweep one = partOf({-260, -240, 0}, {0, 240, 2 * kRadius}, kRadius),
+              other = partOf({0, -240, 0}, {260, 240, 2 * kRadius}, kRadius),
+              raised = partOf({0, -240, 0}, {260, 240, 2 * kRadius}, kRadius + 1);
+  const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
+  EXPECT_TRUE(joints.findings.empty());
+  ASSERT_EQ(joints.joints.size(), 1u);
+  EXPECT_GT(joints.joints[0].places, 40);
+  EXPECT_EQ(joints.joints[0].open, 0);
+  EXPECT_LT(joints.gapMax(), 0.05);
+  EXPECT_LT(joints.kinkMax(), fromDegrees(0.3));
+  const Joints off = measureJoints({{"one", "cut", &one}, {"other", "cut", &raised}}, {}, {}).value();
+  ASSERT_EQ(off.joints.size(), 1u);
+  EXPECT_NEAR(off.gapMax(), 1, 0.1);
+}
+
+TEST(TurningRow, IsNotComparedWithThatOfTheBlockBehindIt) {
+  const Sweep one = partOf({-260, -240, 0}, {260, 30, 2 * kRadius}, kRadius),
+              other = partOf({-260, 30, 0}, {260, 240, 2 * kRadius}, kRadius);
+  const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
+  EXPECT_TRUE(joints.joints.empty());
+  ASSERT_EQ(joints.findings.size(), 1u);
+  EXPECT_EQ(std::get<JointUnknown>(joints.findings[0].cause).places, 1);
 }
 
 }  // namespace

@@ -79,14 +79,16 @@ double sameShare(const BladePose& from, double arc, const BladePose& to) {
   return to.before + to.cut.length() * (arc - from.before) / from.cut.length();
 }
 
-/// The way in which the surface goes on along the travel from a place of a blade, per mm of it: from the
-/// nearest place of `other`, a blade of the row `step` mm farther along it (or back, below 0).
-Vector3d onward(const BladePose& pose, const Elastica::State& state, double arc, const BladePose& other,
-                double step) {
+/// The way in which the surface goes on along the travel from a place of a blade, per mm across its plane:
+/// from the nearest place of `other`, a blade of the row beside it, `step` mm on or back where their planes
+/// are parallel.
+Vector3d onward(const Sweep& row, const BladePose& pose, const Elastica::State& state, double arc,
+                const BladePose& other, double step) {
   const double foot = footOn(other, pose.frame.toWorld(state.point), sameShare(pose, arc, other));
   const Vector3d normal = pose.frame.directionToWorld({-std::sin(state.angle), std::cos(state.angle)});
-  const Vector3d there = other.frame.toWorld(stateAt(other, foot).point);
-  return pose.frame.normal + normal.dot(there - pose.frame.toWorld(state.point)) / step * normal;
+  const Vector3d way = other.frame.toWorld(stateAt(other, foot).point) - pose.frame.toWorld(state.point);
+  if (row.planes.turns()) step = pose.frame.normal.dot(way);
+  return pose.frame.normal + normal.dot(way) / step * normal;
 }
 
 /// What is known of a surface at a place of a blade.
@@ -94,13 +96,13 @@ struct Place {
   Crossing at;
   Vector3d along;    ///< the way of the travel on it
   double far = 0;    ///< mm, of what stands from the boundary, along its normal
-  double rise = 0;   ///< mm towards it, per mm of travel
+  double rise = 0;   ///< mm towards it, per mm across the plane
   bool runs = true;  ///< the blade runs along the boundary more than the travel does
 };
 Place placeAt(const RowBoundary& at, const BladePose& pose, double arc, const BladePose& other, double step) {
   const Elastica::State state = stateAt(pose, arc);
   Place place;
-  place.along = onward(pose, state, arc, other, step);
+  place.along = onward(at.sweep, pose, state, arc, other, step);
   place.at.point = pose.frame.toWorld(state.point);
   place.at.tangent = pose.frame.directionToWorld({std::cos(state.angle), std::sin(state.angle)});
   place.at.normal = place.at.tangent.cross(place.along).normalized();
@@ -166,7 +168,8 @@ void addBetween(const RowBoundary& at, RowBlades& blades, const BladePose& from,
       place = placeAt(at, *pose, here, other->first, other->second);
       const double middle = away(place->at.point);
       if (std::abs(place->rise) < kAlong || std::abs(middle) < 1e-9) break;
-      share = std::clamp(share - middle / (place->rise * step), 0.0, 1.0);
+      const double passes = at.sweep.planes.speed(level, place->at.point);
+      share = std::clamp(share - middle / (place->rise * step * passes), 0.0, 1.0);
     }
     if (!place) {
       ++crossings.unknown;
@@ -291,7 +294,8 @@ std::optional<Crossing> crossingAt(RowBlades& blades, double level, const BladeP
                                    const Through& place, const RowBoundary& at) {
   const auto other = beside(blades, level);
   if (!other) return {};
-  const Vector3d along = onward(pose, stateAt(pose, place.arc), place.arc, other->first, other->second);
+  const Vector3d along =
+      onward(blades.sweep(), pose, stateAt(pose, place.arc), place.arc, other->first, other->second);
   Crossing crossing{place.point, place.tangent.cross(along).normalized(), place.tangent,
                     0.5 * at.side * at.kerf.width(place.point)};
   if (!at.kerf.field) return crossing;

@@ -38,8 +38,9 @@ constexpr double kTogether = 10;    // mm between places of two surfaces that be
 constexpr double kBeyond = 0.5;     // of a chord: past the end of a line there is nothing to meet
 
 bool sameFamily(const PlaneFamily& a, const PlaneFamily& b) {
-  return !a.turns() && !b.turns() && a.direction().cross(b.direction()).norm() < kParallel &&
-         a.direction().dot(b.direction()) > 0 && a.frame.x.cross(b.frame.x).norm() < kParallel;
+  if (a.turns() || b.turns()) return a.turn == b.turn && a.frame == b.frame;
+  return a.direction().cross(b.direction()).norm() < kParallel && a.direction().dot(b.direction()) > 0 &&
+         a.frame.x.cross(b.frame.x).norm() < kParallel;
 }
 
 /// The angle between two lines.
@@ -149,12 +150,12 @@ using Loose = std::vector<Crossing>;
 Result<void> alongside(Pair& pair, std::array<Loose, 2>& loose, const RunContext& context) {
   RowBlades mine(pair.mine.sweep), theirs(pair.theirs.sweep);
   const double from = std::max(mine.first(), theirs.first()), to = std::min(mine.last(), theirs.last());
-  const Vector3d line =
-      pair.mine.boundary.normal.cross(pair.mine.sweep.planes.direction()).stableNormalized();
   for (const auto& known : levelsOf(pair.mine.sweep, pair.theirs.sweep, from, to)) {
     const double level = known.first;
     const bool isStation = known.second;
     if (context.stopped()) return stoppedError();
+    const Vector3d across = pair.mine.sweep.planes.at(level).normal,
+                   line = pair.mine.boundary.normal.cross(across).stableNormalized();
     const std::optional<BladePose> p = mine.at(level), q = theirs.at(level);
     const std::vector<Through> all = p ? through(*p, pair.mine) : std::vector<Through>(),
                                others = q ? through(*q, pair.theirs) : std::vector<Through>();
@@ -439,8 +440,10 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
     const Sweep &a = *rows[joint.first].sweep, &b = *rows[joint.second].sweep;
     Pair pair{{a, boundary, b.block, kerfs[joint.first]}, {b, boundary, a.block, kerfs[joint.second]}, joint};
     const double along = std::abs(a.planes.direction().dot(boundary.normal));
-    // Surfaces of planes that turn go on another way at each place of a blade.
-    if (a.planes.turns() || b.planes.turns())
+    // Planes that turn pass a boundary that lies across the travel within a few stations, whose sections end
+    // on it.
+    constexpr double kMostlyAlong = 0.7;
+    if (along > kMostlyAlong && (a.planes.turns() || b.planes.turns()))
       pair.cannotTell(boundary.point);
     else if (along > 1 - kParallel && sameFamily(a.planes, b.planes))
       inLine(pair);
