@@ -293,6 +293,15 @@ Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Fi
     setup.planes = PlaneFamily::across(setup.block, direction);
     if (std::abs(direction.dot(setup.block.frame.normal)) > 0.7)
       findings.push_back({Severity::info, TravelAcross{}, {}, {TurnDirection{}}});
+    if (request.turning) {
+      const PlaneTurn& turn = request.turning->turn;
+      PlanesNotTurned cause{turn.at(turn.to).angle[0], turn.at(turn.to).angle[0]};
+      for (const PlaneTurn::Span& span : turn.spans) {
+        cause.least = std::min(cause.least, span.angle[0]);
+        cause.most = std::max(cause.most, span.angle[0]);
+      }
+      findings.push_back({Severity::info, cause, {}, {}});
+    }
     return setup;
   });
 }

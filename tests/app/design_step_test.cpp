@@ -264,6 +264,19 @@ TEST_F(DesignStep, KeyBladesAreTypedAddedAndTakenAway) {
   EXPECT_EQ(bench().design(), before);
 }
 
+TEST_F(DesignStep, KeyBladesAreTurned) {
+  open("turning-blades");
+  EXPECT_NEAR(find<NumberField>("Turn of key blade 2")->value(), 5, 1e-9) << "in degrees";
+  ASSERT_TRUE(bench().sweep());
+  EXPECT_TRUE(bench().sweep()->sweep.planes.turns());
+  picture("design-turning-blades");
+  type<NumberField>("Turn of key blade 3", "2");
+  EXPECT_NEAR(shape<BladesSurface>().blades[2].turn, 2 * kDegree, 1e-12);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_NEAR(bench().sweep()->sweep.planes.angle(400), 2 * kDegree, 1e-9);
+}
+
 TEST_F(DesignStep, NumbersThatMakeNoSurfaceAreRefused) {
   // Without expressions nothing but the fields themselves stands between them and the file.
   open("key-blade-fan");

@@ -218,7 +218,7 @@ TEST(DesignedSurface, AHomeOfTheCellBelowTheFloorIsTold) {
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,
                          testing::Values("single-block", "ripple-along", "ripple-across",
                                          "ruled-between-curves", "twist", "bump", "three-block-wall",
-                                         "block-wall", "key-blade-fan"),
+                                         "block-wall", "key-blade-fan", "turning-blades"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::ranges::replace(name, '-', '_');

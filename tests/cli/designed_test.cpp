@@ -47,7 +47,7 @@ TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
 INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
                          testing::Values("single-block", "ripple-along", "ripple-across",
                                          "ruled-between-curves", "twist", "bump", "three-block-wall",
-                                         "block-wall", "key-blade-fan"),
+                                         "block-wall", "key-blade-fan", "turning-blades"),
                          [](const auto& one) {
                            std::string name = one.param;
                            for (char& c : name)

@@ -143,7 +143,7 @@ TEST_P(DesignsCutWhatIsShown, InEachOfTheirBlocks) {
 INSTANTIATE_TEST_SUITE_P(Gallery, DesignsCutWhatIsShown,
                          testing::Values("single-block", "block-wall", "ripple-along", "ripple-across",
                                          "ruled-between-curves", "twist", "bump", "key-blade-fan",
-                                         "three-block-wall", "two-crossing-cuts"),
+                                         "turning-blades", "three-block-wall", "two-crossing-cuts"),
                          [](const testing::TestParamInfo<std::string>& one) {
                            std::string name;
                            for (const char c : one.param) name += std::isalnum(c) ? c : '_';

@@ -539,7 +539,7 @@ TEST(Example, EveryDesignCanBeCutAndItsProgramsKeepTheRules) {
     if (strips.size() == 1) strips = {folder / name};
     for (const std::string& strip : strips) EXPECT_EQ(blade({"simulate", strip}).status, 0) << strip;
   }
-  EXPECT_EQ(count, 18);
+  EXPECT_EQ(count, 19);
 }
 
 TEST(Rationalize, IsTheSameForAnyNumberOfThreads) {

@@ -340,6 +340,28 @@ TEST(DesignedSurfaceFiles, EndsOfKeyBladesStandForExpressions) {
   EXPECT_NEAR(secondEnds(freed)[0].y(), 245, 1e-9);
 }
 
+TEST(DesignedSurfaceFiles, KeyBladesTurn) {
+  const auto second = [](const Design& design) {
+    return json::parse(designToJson(design))["sources"][0]["surface"]["blades"][1];
+  };
+  // Files without are written as they were.
+  EXPECT_FALSE(second(designOf(withSurface(keyBlades("")).dump())).contains("turn_deg"));
+  const Design number = designOf(withSurface(keyBlades(R"(, "turn_deg": -12.3)")).dump());
+  EXPECT_NEAR(secondOf(number).turn, -fromDegrees(12.3), 1e-15);
+  EXPECT_EQ(second(number)["turn_deg"], -12.3);
+  EXPECT_EQ(designOf(designToJson(number)), number);
+  const Design bound = designOf(withSurface(keyBlades(R"(, "turn_deg": "=amplitude/4")")).dump());
+  EXPECT_NEAR(secondOf(bound).turn, fromDegrees(10), 1e-15);
+  EXPECT_EQ(second(bound)["turn_deg"], "=amplitude/4");
+  EXPECT_EQ(designOf(designToJson(bound)), bound);
+  // Nothing is told by an expression, too.
+  const Design zero = designOf(withSurface(keyBlades(R"(, "turn_deg": "=amplitude - 40")")).dump());
+  EXPECT_EQ(secondOf(zero).turn, 0);
+  EXPECT_EQ(second(zero)["turn_deg"], "=amplitude - 40");
+  EXPECT_NEAR(secondOf(withVariables(zero, {{"amplitude", 45}}).value()).turn, fromDegrees(5), 1e-15);
+  EXPECT_NE(errorOf(withSurface(keyBlades(R"(, "turn_deg": 85)"))).find("turn_deg"), std::string::npos);
+}
+
 TEST(DesignedSurfaceFiles, EndsKeepTheirHeightsWhereTheBladeIsMadeLonger) {
   const Design one = designOf(withSurface(keyBlades(R"(, "end_heights": ["=amplitude*6", null])")).dump());
   Design longer = one;

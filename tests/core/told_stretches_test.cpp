@@ -133,6 +133,19 @@ TEST(ToldStretches, AreTheSameOfBladesThatLieOtherwise) {
   }
 }
 
+TEST(ToldStretches, AreMarkedInThePlanesOfBladesThatTurn) {
+  BladesSurface turned = arcs({{0, 0}, {800, 2}});
+  turned.blades[0].turn = turned.blades[1].turn = 0.3;
+  const std::vector<ToldStretch> stretches = found(turned, 400);
+  ASSERT_EQ(stretches.size(), 1u);
+  for (const auto& line : markedBlades({turned}, stretches[0], 10)) {
+    EXPECT_GT((line.back() - line.front()).norm(), 100);
+    for (const Eigen::Vector3d& p : line)
+      EXPECT_NEAR((p - line.front()).dot(Eigen::Vector3d(-std::sin(0.3), std::cos(0.3), 0)), 0, 1e-9);
+    EXPECT_GT((line.back() - line.front()).y(), 30);
+  }
+}
+
 TEST(ToldStretches, AreToldAndMarkedWhereTheyLie) {
   DesignedSurface surface{arcs({{0, 0}, {800, 2}})};
   surface.origin = {100, 200, 300};

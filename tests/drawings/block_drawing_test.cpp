@@ -187,6 +187,18 @@ TEST(BlockDrawing, TellsHowTheBlockLies) {
   cut.direction = Eigen::Vector3d(1, 1, 0).normalized();
   text = textOf(drawn(of)[0]);
   expectHas(text, "along -0.707, 0.707, 0 (right, back, up)");
+  EXPECT_EQ(text.find("turns as it travels"), std::string::npos);
+  // As long as it comes, all of it is read.
+  cut.pose = {BlockFace::left, 2};
+  cut.lies = "its left face up, then turned by 180 degrees counter-clockwise seen from above";
+  cut.turns =
+      "by 12.5 clockwise at first, 17.5 counter-clockwise at last, between 12.5 clockwise and 22.5 "
+      "counter-clockwise (degrees, seen from above)";
+  of.blocks[0].cuts.resize(4, cut);
+  const std::vector<Written> page = drawn(of)[0];
+  expectLegible(page);
+  expectHas(textOf(page), "The blade turns as it travels: by 12.5 clockwise at first");
+  expectHas(textOf(page), "seen from above");
 }
 
 TEST(BlockDrawing, SaysThatThereIsNoPart) {

@@ -82,6 +82,11 @@ TEST(TurningSections, AreAcrossADirectionThatIsGivenInTheirPlace) {
   SetupRequest request = fan(fromDegrees(24));
   request.direction = Eigen::Vector3d::UnitX();
   EXPECT_FALSE(resolveSetup(target, request, findings).value().planes.turns());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::info);
+  const auto& told = std::get<PlanesNotTurned>(findings[0].cause);
+  EXPECT_NEAR(told.least, fromDegrees(-12), 1e-12);
+  EXPECT_NEAR(told.most, fromDegrees(12), 1e-12);
 }
 
 }  // namespace

@@ -86,6 +86,13 @@ TEST(Findings, SayWhereTheSkinLeavesABlade) {
             "more than 0.01 mm; cut it in parts, each with a narrower block of its own");
 }
 
+TEST(Findings, SayThatPlanesDoNotTurnWithTheirKeyBlades) {
+  EXPECT_EQ(said(PlanesNotTurned{-0.1, 0.25}),
+            "the planes of the blades are parallel, because the cut has a direction of its own; its key "
+            "blades are turned by -5.7° to 14.3°: choose the automatic direction to have the planes turn "
+            "with them");
+}
+
 TEST(Findings, SayWhereTheRoutesOfSectionsDiffer) {
   EXPECT_EQ(said(SectionDiffers{1, 3, 0, true}, kOne),
             "station 8: OpenCASCADE finds 3 curves where tracing finds 1; what it finds is taken");

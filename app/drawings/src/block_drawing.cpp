@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "bw/core/base/units.h"
@@ -306,12 +307,13 @@ double drawViews(PdfPages& pages, const Rectangle& room, const DrawnBlock& block
 void drawCut(PdfPages& pages, const Rectangle& room, const DrawnBlock& block, std::size_t index,
              const Mark& mark) {
   const DrawnCut& cut = block.cuts[index];
-  constexpr double kPicture = 42, kLine = 3.5, kEdge = 1.5;
+  constexpr double kPicture = 42, kMostLine = 3.5, kEdge = 1.5;
   drawPose(pages, {room.low + Point(0, 0.5), {room.low.x() + kPicture, room.high.y() - 0.5}}, block, cut,
            mark);
   const double left = room.low.x() + kPicture + 1, width = room.high.x() - left - kEdge;
   double y = room.high.y() - 4.5;
   const Letters heading{9, true}, body{7.5};
+  std::vector<std::string> lines;
   pages.text({left, y},
              pages.fitted("Cut " + std::to_string(index + 1) + " of " + std::to_string(block.cuts.size()) +
                               ": " + cut.id,
@@ -319,16 +321,18 @@ void drawCut(PdfPages& pages, const Rectangle& room, const DrawnBlock& block, st
              heading);
   y -= 0.8;
   const auto say = [&](const std::string& words, int most) {
-    for (const std::string& line : pages.wrapped(words, body, width, most))
-      pages.text({left, y -= kLine}, line, body);
+    std::ranges::move(pages.wrapped(words, body, width, most), std::back_inserter(lines));
   };
   say(cut.lies.empty() ? "Lay the block as it is placed: its top face up" : "Lay the block with " + cut.lies,
       3);
   say("Travel " + travelText(block, cut), 3);
+  if (!cut.turns.empty()) say("The blade turns as it travels: " + cut.turns, 3);
   say("Blade " + millimetres(cut.bladeLength) + " mm, " + std::to_string(cut.stations) + " stations", 1);
   say(timesText(cut.cuttingTime, cut.runTime), 1);
   say(cut.removed ? "Takes off " + litres(*cut.removed) : "Takes off: not known", 1);
   say(cut.folder.empty() ? "No program" : "Program: " + cut.folder, 1);
+  const double line = std::min(kMostLine, (y - room.low.y() - 1) / double(lines.size()));
+  for (const std::string& words : lines) pages.text({left, y -= line}, words, body);
 }
 
 /// The sign of first-angle projection: a cone from the side, and what is seen of it from the left.

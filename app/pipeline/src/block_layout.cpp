@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bw/core/parts/cut_order.h"
+#include "bw/pipeline/requests.h"
 #include "bw/words/findings.h"
 
 namespace bw::pipeline {
@@ -68,7 +69,7 @@ Result<void> leaveOutMissed(Evaluation& e) {
 
 Cut cutToMake(const Design& design, const std::string& id) {
   Cut cut = *std::ranges::find(design.cuts, id, &Cut::id);
-  if (design.grid && !cut.direction)
+  if (design.grid && !cut.direction && !turningOf(design, cut))
     cut.direction =
         lying(BlockPlacement{{}, Eigen::Vector3d::Ones(), design.grid->rotation}.box(), cut.pose).frame.y;
   return cut;

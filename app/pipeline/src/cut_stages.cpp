@@ -76,14 +76,15 @@ Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& pla
   CutEvaluation& e = work.e;
   const geometry::Target& target = *e.target.value;
   double none = 0;
-  Result<void> ok =
-      work.settle(&CutEvaluation::placed, {placement, work.cut.direction, work.cut.pose}, {e.target.value},
-                  none, [&target](const geometry::SetupRequest& request, Findings& findings) {
-                    return geometry::resolveSetup(target, request, findings);
-                  });
+  Result<void> ok = work.settle(
+      &CutEvaluation::placed,
+      {placement, work.cut.direction, work.cut.pose, turningOf(work.design, work.cut)}, {e.target.value},
+      none, [&target](const geometry::SetupRequest& request, Findings& findings) {
+        return geometry::resolveSetup(target, request, findings);
+      });
   if (!ok) return ok;
   e.setup = e.placed.value;
-  if (work.cut.direction) return work.unlessStopped();
+  if (work.cut.direction || e.setup->planes.turns()) return work.unlessStopped();
   FitRequest any = fitRequest(work.design, work.cut, e.placed.value->block);
   if (work.blade().autoLength)  // long enough for every way across
     any.blade.length =

@@ -33,6 +33,7 @@ drawings::DrawnCut drawnCut(const Evaluation& e, const Strip& strip,
   out.pose = cut.pose;
   out.lies = lyingText(cut);
   out.direction = result.sweep.planes.direction();
+  out.turns = turningText(result.sweep.planes, result.sweep.block);
   out.bladeLength = result.motion.bladeLength;
   out.stations = result.size();
   out.cuttingTime = result.motion.cuttingTime();

@@ -87,6 +87,9 @@ const std::vector<geometry::Example>& designedExamples() {
       {"key-blade-fan", "Key-blade fan",
        "Four key blades across the travel that lean one way and then the other and arch ever less; every "
        "blade between them is an elastica. Variables: arch, lean, height."},
+      {"turning-blades", "Turning blades",
+       "Five key blades, two of whose planes are turned: as the blade travels it turns to the one side and "
+       "to the other about upright lines. Variables: arch, lean, turn, height."},
       {"two-crossing-cuts", "Two crossing cuts and their crease",
        "east: z = base + slope x + bow sin(π x/600) + ripple sin(2π y/600); north: z = base + slope y + bow "
        "sin(π y/600) + ripple cos(2π x/600); mm. The block is turned by a quarter between the cuts; the part "

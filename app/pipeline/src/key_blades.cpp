@@ -85,7 +85,8 @@ KeyBlade beyond(const KeyBlade& blade, const KeyBlade& change, double way) {
           blade.angle + way * change.angle,
           blade.length + way * change.length,
           blade.bend + way * change.bend,
-          blade.force + way * change.force};
+          blade.force + way * change.force,
+          blade.turn + way * change.turn};
 }
 
 /// Sections stand a little inside of the faces of the block; the surface reaches them where it did. `before`
@@ -118,6 +119,11 @@ Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tol
                                  const RunContext& context) {
   const Result<std::vector<FramedCurve>> framed = told == Told::target ? sectionsOf(cut) : bladesOf(cut);
   if (!framed) return tl::unexpected<Error>(framed.error());
+  if (cut.setup && cut.setup->planes.turns())
+    return fail(ErrorCode::badInput,
+                "the planes of the cut " + cut.id +
+                    " turn; key blades are told from parallel ones. Give the cut a direction first",
+                "cut");
   CutKeyBlades found;
   found.surface = frameAcross(framed->front().frame);
   const Eigen::Matrix3d axes = rotationFromAngles(found.surface.rotation);

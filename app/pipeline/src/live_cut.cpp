@@ -38,11 +38,12 @@ LiveCut::LiveCut(const CutEvaluation& cut, std::shared_ptr<const SplineSurface> 
 bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
   Findings unsaid;
   PlanesRequest planes{{}, order.cut.sections};
-  const Result<geometry::Setup> setup =
-      geometry::resolveSetup(*order.target, {order.placement, order.cut.direction, order.cut.pose}, unsaid);
+  const Result<geometry::Setup> setup = geometry::resolveSetup(
+      *order.target,
+      {order.placement, order.cut.direction, order.cut.pose, turningOf(order.design, order.cut)}, unsaid);
   if (!setup) return false;
   planes.setup = *setup;
-  if (!order.cut.direction)
+  if (!order.cut.direction && !setup->planes.turns())
     planes.setup.planes = PlaneFamily::across(setup->block, planes_.setup.planes.direction());
   if (planes.sections.byTolerance()) planes.sections.stations = began_.sections.request.sections.stations;
   const FitRequest& before = began_.sweep.value->request;
@@ -56,7 +57,7 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
   bool stays = look_ && !turned;
   if (moved || turned || begins) {
     std::optional<std::vector<Section>> sections;
-    if (!turned && planes.beyond == 0 && spline_ && order.spline)
+    if (!turned && !setup->planes.turns() && planes.beyond == 0 && spline_ && order.spline)
       sections = isoSections(*order.spline, *spline_, *sections_, planes.setup.block);
     if (!sections && (moved || turned)) {
       Result<std::vector<Section>> traced =

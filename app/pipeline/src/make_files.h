@@ -37,6 +37,15 @@ std::string stripTitle(const Evaluation& evaluation, const Strip& strip);
 /// How a block lies for a cut, in words: "the front face up, turned by 90°"; empty where as it is placed.
 std::string lyingText(const Cut& cut);
 
+/// By how much planes that turn are turned, the first and the last one of their block and the others at most
+/// either way, degrees.
+struct PlanesTurned {
+  double first = 0, last = 0, least = 0, most = 0;
+  static PlanesTurned of(const PlaneFamily& planes);
+};
+/// The same in words; empty where planes are parallel.
+std::string turningText(const PlaneFamily& planes, const Box& block);
+
 /// Programs of all strips of the blocks wanted in the formats of the design, each in its folder, that of the
 /// only one in `ofOne`. An unknown format is an error naming the nearest one, and so is a program that fails
 /// its check. Where the findings of its block, or those that concern all, hold errors, its RAPID is left out

@@ -76,7 +76,8 @@ Result<Design> withUpperMoulds(const Evaluation& evaluation, double thickness) {
     if (!middle) continue;  // the surface does not come there
     const Box& lower = made->setup->block;
     block.placement = placementOf(lower);
-    cut.direction = made->setup->planes.direction();
+    // Planes that turn are those of the surface for both.
+    if (!made->setup->planes.turns()) cut.direction = made->setup->planes.direction();
     cut.offset = thickness / 2;
     Box above = lower;
     above.frame.origin += (2 * *middle - lower.size.z()) * lower.frame.normal;

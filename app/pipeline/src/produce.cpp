@@ -4,11 +4,14 @@
 #include "bw/pipeline/produce.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "bw/core/base/units.h"
 #include "bw/core/design/design_versions.h"
 #include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/files/fingerprint.h"
+#include "bw/core/text/number_text.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
@@ -220,6 +223,35 @@ std::string lyingText(const Cut& cut) {
     text += ", then turned by " + std::to_string(90 * cut.pose.quarters) +
             " degrees counter-clockwise seen from above";
   return text;
+}
+
+PlanesTurned PlanesTurned::of(const PlaneFamily& planes) {
+  constexpr int kLooks = 400;
+  const auto at = [&planes](int k) {
+    const double degrees = toDegrees(planes.angle(std::lerp(planes.entry, planes.exit, double(k) / kLooks)));
+    return std::round(degrees * 1e6) / 1e6 + 0.0;  // no noise, and no −0
+  };
+  PlanesTurned turned{at(0), at(kLooks), at(0), at(0)};
+  for (int k = 1; k <= kLooks; ++k) {
+    turned.least = std::min(turned.least, at(k));
+    turned.most = std::max(turned.most, at(k));
+  }
+  return turned;
+}
+
+std::string turningText(const PlaneFamily& planes, const Box& block) {
+  if (!planes.turns()) return {};
+  // Where the block lies on another face for the cut, the lines about which they turn lie, too.
+  const bool upright = planes.frame.y.dot(block.frame.normal) > 0.5;
+  const auto by = [](double degrees) {
+    const std::string size = fixedText(std::abs(degrees), 1);
+    return size + (size == "0.0" ? "" : degrees > 0 ? " counter-clockwise" : " clockwise");
+  };
+  const PlanesTurned turned = PlanesTurned::of(planes);
+  std::string text = "by " + by(turned.first) + " at first, " + by(turned.last) + " at last";
+  if (turned.least < std::min(turned.first, turned.last) || turned.most > std::max(turned.first, turned.last))
+    text += ", between " + by(turned.least) + " and " + by(turned.most);
+  return text + (upright ? " (degrees, seen from above)" : " (degrees, about a line that lies level)");
 }
 
 namespace {

@@ -282,8 +282,16 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                                      {"least", *cut.clearances.value->least()}};
   }
   ordered_json method;
-  method["planes"] = "parallel";
-  if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());
+  method["planes"] = cut.setup && cut.setup->planes.turns() ? "turning" : "parallel";
+  if (cut.setup) {
+    const PlaneFamily& planes = cut.setup->planes;
+    method["direction"] = vec(planes.direction());
+    if (planes.turns()) {
+      const PlanesTurned turned = PlanesTurned::of(planes);
+      method["planes_turned_deg"] = {
+          {"first", turned.first}, {"last", turned.last}, {"least", turned.least}, {"most", turned.most}};
+    }
+  }
   method["stations"] = stationsJson(design.cut().sections, cut);
   method["fit"] = {{"length", design.process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", design.process.fitEndpoints},

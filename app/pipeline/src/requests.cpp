@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "bw/core/base/units.h"
+#include "bw/core/shape/turning_planes.h"
 
 namespace bw::pipeline {
 
@@ -31,6 +32,11 @@ Blade bladeOf(const Design& design, const Cut& cut) {
   blade.length = *cut.length;
   blade.autoLength = false;
   return blade;
+}
+
+std::optional<TurningPlanes> turningOf(const Design& design, const Cut& cut) {
+  const std::optional<DesignedSurface>& surface = design.sourceOf(cut).surface;
+  return surface ? planesOf(*surface) : std::nullopt;
 }
 
 FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {

@@ -170,13 +170,20 @@ std::string sweepJson(const std::vector<Strip>& strips, const std::string& run) 
   const auto vec = [](const Eigen::Vector3d& v) {
     return ordered_json{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
   };
+  const auto tellPlanes = [&vec](ordered_json& told, const PlaneFamily& planes) {
+    told["direction"] = vec(planes.direction());
+    if (!planes.turns()) return;
+    const PlanesTurned turned = PlanesTurned::of(planes);
+    told["planes_turned_deg"] = {
+        {"first", turned.first}, {"last", turned.last}, {"least", turned.least}, {"most", turned.most}};
+  };
   ordered_json object;
   object["bladewright_sweep"] = 1;
   object["run"] = run;
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
   object["blade_length"] = strips.front().cut->sweep.value->request.blade.length;
-  object["direction"] = vec(strips.front().cut->sweep.value->planes.direction());
+  tellPlanes(object, strips.front().cut->sweep.value->planes);
   object["strips"] = ordered_json::array();
   for (const Strip& strip : strips) {
     const CutResult result = *strip.cut->result();
@@ -195,7 +202,7 @@ std::string sweepJson(const std::vector<Strip>& strips, const std::string& run) 
     ordered_json part = {{"index", strip.index}, {"block", strip.block->id}, {"cut", strip.cut->id}};
     if (strips.size() > 1) {
       part["blade_length"] = result.sweep.request.blade.length;
-      part["direction"] = vec(result.sweep.planes.direction());
+      tellPlanes(part, result.sweep.planes);
     }
     part["stations"] = stations;
     object["strips"].push_back(part);

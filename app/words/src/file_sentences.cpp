@@ -124,6 +124,14 @@ std::string Sentences::operator()(const TravelAcross&) const {
          "usual";
 }
 
+std::string Sentences::operator()(const PlanesNotTurned& cause) const {
+  const auto angle = [](double turn) { return fixedText(toDegrees(turn), 1) + "°"; };
+  return "the planes of the blades are parallel, because the cut has a direction of its own; its key blades "
+         "are turned by " +
+         angle(cause.least) + " to " + angle(cause.most) +
+         ": choose the automatic direction to have the planes turn with them";
+}
+
 std::string Sentences::operator()(const ChosenDirection& cause) const {
   return "the blade goes along the " + cause.chosen.name + " (" + figures(cause.chosen) +
          ") rather than the " + cause.usual.name + " (" + figures(cause.usual) + ")";

@@ -76,6 +76,7 @@ struct Sentences {
   std::string operator()(const NearestFace& cause) const;
   std::string operator()(const FacesLeftOut& cause) const;
   std::string operator()(const TravelAcross& cause) const;
+  std::string operator()(const PlanesNotTurned& cause) const;
   std::string operator()(const ChosenDirection& cause) const;
   std::string operator()(const LeftOutOfFile& cause) const;
   std::string operator()(const Healed& cause) const;

@@ -239,6 +239,10 @@ void readBlade(ObjectReader& reader, KeyBlade& blade) {
   double degrees = 0;
   reader.number("angle_deg", degrees, -3600, 3600);
   blade.angle = degrees * kDegree;
+  double turn = 0;
+  constexpr double kMostTurn = KeyBlade::kMostTurn / kDegree;
+  reader.number("turn_deg", turn, -kMostTurn, kMostTurn);
+  blade.turn = turn * kDegree;
   reader.number("length_mm", blade.length, 1e-3, kFarthest);
   reader.number("bend", blade.bend, -KeyBlade::kMostBend, KeyBlade::kMostBend);
   if (const json* force = reader.member("force"))
@@ -372,6 +376,8 @@ void write(const BladesSurface& surface, json& object, const IsBound& isBound) {
                     {"length_mm", blade.length},
                     {"bend", blade.bend},
                     {"force", pairJson(blade.force)}});
+    if (blade.turn != 0 || isBound("/blades/" + std::to_string(list.size() - 1) + "/turn_deg"))
+      list.back()["turn_deg"] = degreesThatRead(blade.turn);
     if (!heights.is_null()) list.back()["end_heights"] = std::move(heights);
   }
   object["blades"] = std::move(list);

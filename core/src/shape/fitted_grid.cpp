@@ -35,10 +35,28 @@ struct Misses {
   Miss alongU, alongY, all;
 };
 
-Result<SplineSurface> through(const RowOf& rowOf, const std::vector<double>& u,
+using Flat = Eigen::Vector2d;
+using Space = Eigen::Vector3d;
+
+template <class Point>
+using Rows = std::function<Result<void>(double y, std::span<const double> u, std::span<Point> out)>;
+
+/// The pole of a spline, and back. Where all of a row lies in one plane, its y is that of the row.
+Space poleOf(const Flat& p, double y) { return {p.x(), y, p.y()}; }
+Space poleOf(const Space& p, double) { return p; }
+template <class Point>
+Point pointOf(const Space& pole) {
+  if constexpr (Point::RowsAtCompileTime == 3)
+    return pole;
+  else
+    return {pole.x(), pole.z()};
+}
+
+template <class Point>
+Result<SplineSurface> through(const Rows<Point>& rowOf, const std::vector<double>& u,
                               const std::vector<double>& y) {
   const std::size_t columns = u.size(), rows = y.size();
-  std::vector<Eigen::Vector2d> points(columns * rows);
+  std::vector<Point> points(columns * rows);
   for (std::size_t j = 0; j < rows; ++j)
     if (Result<void> ok = rowOf(y[j], u, std::span(points).subspan(j * columns, columns)); !ok)
       return tl::unexpected<Error>(ok.error());
@@ -51,8 +69,7 @@ Result<SplineSurface> through(const RowOf& rowOf, const std::vector<double>& u,
   spline.poles.reserve(points.size());
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
-      const Eigen::Vector2d& p = points[j * columns + i];
-      spline.poles.emplace_back(p.x(), atY[j], p.y());
+      spline.poles.push_back(poleOf(points[j * columns + i], atY[j]));
     }
   return spline;
 }
@@ -103,24 +120,25 @@ int partsOf(const Places& places, int most) {
   return int(std::min(std::ceil(span / places.widest), std::max(limit, 1.0)));
 }
 
-Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const std::vector<double>& u,
+template <class Point>
+Result<Misses> compare(const Rows<Point>& rowOf, const SplineSurface& spline, const std::vector<double>& u,
                        const std::vector<double>& y, int partsU = 0, int partsY = 0) {
   const Between betweenU(u, partsU), betweenY(y, partsY);
   const std::vector<double>&manyU = betweenU.all, &manyY = betweenY.all;
   const Basis basisU(spline.knotsU, manyU), basisY(spline.knotsV, manyY);
   Misses misses;
-  std::vector<Eigen::Vector2d> row(std::size_t(spline.polesU)), points(manyU.size());
+  std::vector<Point> row(std::size_t(spline.polesU)), points(manyU.size());
   for (std::size_t j = 0; j < manyY.size(); ++j) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       row[i].setZero();
       for (std::size_t k = 0; k <= kDegree; ++k) {
         const Eigen::Vector3d& pole = spline.poles[(std::size_t(basisY.first[j]) + k) * row.size() + i];
-        row[i] += basisY.values[j][k] * Eigen::Vector2d(pole.x(), pole.z());
+        row[i] += basisY.values[j][k] * pointOf<Point>(pole);
       }
     }
     if (Result<void> ok = rowOf(manyY[j], manyU, points); !ok) return tl::unexpected<Error>(ok.error());
     for (std::size_t i = 0; i < manyU.size(); ++i) {
-      Eigen::Vector2d own = Eigen::Vector2d::Zero();
+      Point own = Point::Zero();
       for (std::size_t k = 0; k <= kDegree; ++k)
         own += basisU.values[i][k] * row[std::size_t(basisU.first[i]) + k];
       const double distance = (own - points[i]).squaredNorm();
@@ -145,19 +163,22 @@ std::vector<double> Places::all() const {
   return places;
 }
 
-Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tolerance, int most) {
+namespace {
+
+template <class Point>
+Result<FittedGrid> fitted(const Rows<Point>& rowOf, Places u, Places y, double tolerance, int most) {
   const auto spent = [most](const Places& places) {
     return (places.breaks.size() - 1) * std::size_t(places.parts) * 2 + 1 > std::size_t(most);
   };
   for (;;) {
     const std::vector<double> atU = u.all(), atY = y.all();
-    Result<SplineSurface> spline = through(rowOf, atU, atY);
+    Result<SplineSurface> spline = through<Point>(rowOf, atU, atY);
     if (!spline) return tl::unexpected<Error>(spline.error());
-    Result<Misses> misses = compare(rowOf, *spline, atU, atY);
+    Result<Misses> misses = compare<Point>(rowOf, *spline, atU, atY);
     // Only a spline that is near at a few places of each span is worth a look at many.
     const int partsU = partsOf(u, most), partsY = partsOf(y, most);
     if (misses && misses->all.distance <= tolerance && (partsU > 0 || partsY > 0))
-      misses = compare(rowOf, *spline, atU, atY, partsU, partsY);
+      misses = compare<Point>(rowOf, *spline, atU, atY, partsU, partsY);
     if (!misses) return tl::unexpected<Error>(misses.error());
     // Both ways where neither alone tells: what is left over is of both.
     const bool neither = std::max(misses->alongU.distance, misses->alongY.distance) <= tolerance / 2;
@@ -168,6 +189,16 @@ Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tol
     if (finerU) u.parts *= 2;
     if (finerY) y.parts *= 2;
   }
+}
+
+}  // namespace
+
+Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tolerance, int most) {
+  return fitted<Flat>(rowOf, std::move(u), std::move(y), tolerance, most);
+}
+
+Result<FittedGrid> fittedGrid(const SpaceRowOf& rowOf, Places u, Places y, double tolerance, int most) {
+  return fitted<Space>(rowOf, std::move(u), std::move(y), tolerance, most);
 }
 
 }  // namespace bw::shape

@@ -18,6 +18,10 @@ namespace bw::shape {
 using RowOf =
     std::function<Result<void>(double y, std::span<const double> u, std::span<Eigen::Vector2d> out)>;
 
+/// Such points in space, of surfaces whose planes turn.
+using SpaceRowOf =
+    std::function<Result<void>(double y, std::span<const double> u, std::span<Eigen::Vector3d> out)>;
+
 /// Parameters at which a surface is asked for: each stretch between two of `breaks` has `parts` even ones.
 struct Places {
   std::vector<double> breaks;
@@ -40,5 +44,6 @@ struct FittedGrid {
 /// places one way: then the miss is above the tolerance (docs/mathematics.md, Designed surfaces).
 /// Errors: those of `rowOf`.
 Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tolerance, int most);
+Result<FittedGrid> fittedGrid(const SpaceRowOf& rowOf, Places u, Places y, double tolerance, int most);
 
 }  // namespace bw::shape

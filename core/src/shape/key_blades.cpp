@@ -8,7 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "bw/core/base/frame.h"
+#include "bw/core/base/units.h"
+#include "bw/core/shape/turning_planes.h"
 #include "bw/core/text/number_text.h"
 #include "shape/fitted_grid.h"
 #include "shape/shapes.h"
@@ -17,7 +21,7 @@ namespace bw {
 
 namespace {
 
-constexpr int kDegree = 3;
+constexpr int kCubic = 3;
 constexpr int kFirstSpans = 8;
 
 Eigen::Matrix2d turned(double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
@@ -32,7 +36,8 @@ Result<Elastica> halfOf(const KeyBlade& blade) {
 Result<void> check(const KeyBlade& blade) {
   const std::string name = "the key blade at y = " + shortText(blade.y, 6);
   const bool finite = std::isfinite(blade.y) && blade.middle.allFinite() && std::isfinite(blade.angle) &&
-                      std::isfinite(blade.length) && std::isfinite(blade.bend) && blade.force.allFinite();
+                      std::isfinite(blade.length) && std::isfinite(blade.bend) && blade.force.allFinite() &&
+                      std::isfinite(blade.turn);
   if (!finite) return fail(ErrorCode::badInput, name + " has a number that is not finite", "blades");
   if (!(blade.length > 0))
     return fail(ErrorCode::badInput,
@@ -43,6 +48,11 @@ Result<void> check(const KeyBlade& blade) {
                 name + " bends by " + shortText(blade.bend) + " rad at the rate of its middle; it may by " +
                     shortText(KeyBlade::kMostBend),
                 "blades", blade.bend, KeyBlade::kMostBend);
+  if (std::abs(blade.turn) > KeyBlade::kMostTurn)
+    return fail(ErrorCode::badInput,
+                name + " has its plane turned by " + shortText(blade.turn / kDegree) + "°; it may by " +
+                    shortText(KeyBlade::kMostTurn / kDegree, 3) + "°",
+                "blades", blade.turn, KeyBlade::kMostTurn);
   if (blade.force.norm() > KeyBlade::kMostForce)
     return fail(ErrorCode::badInput,
                 name + " has a force of " + shortText(blade.force.norm()) +
@@ -52,6 +62,12 @@ Result<void> check(const KeyBlade& blade) {
 }
 
 }  // namespace
+
+Eigen::Vector3d KeyBlade::placed(const Eigen::Vector2d& place) const {
+  if (turn == 0) return {place.x(), y, place.y()};
+  const double aside = place.x() - middle.x();
+  return {middle.x() + aside * std::cos(turn), y + aside * std::sin(turn), place.y()};
+}
 
 Result<Elastica> elasticaOf(const KeyBlade& blade) {
   if (Result<void> ok = check(blade); !ok) return tl::unexpected<Error>(ok.error());
@@ -69,12 +85,12 @@ KeyBlade keyBladeOf(const Elastica& elastica, double y) {
 
 BladeSweep::Numbers BladeSweep::numbersOf(const KeyBlade& blade) {
   Numbers numbers;
-  numbers << blade.middle, blade.angle, blade.length, blade.bend, blade.force;
+  numbers << blade.middle, blade.angle, blade.length, blade.bend, blade.force, blade.turn;
   return numbers;
 }
 
 KeyBlade BladeSweep::bladeOf(const Numbers& numbers, double y) {
-  return {y, numbers.head<2>(), numbers(2), numbers(3), numbers(4), numbers.tail<2>()};
+  return {y, numbers.head<2>(), numbers(2), numbers(3), numbers(4), numbers.segment<2>(5), numbers(7)};
 }
 
 Result<BladeSweep> BladeSweep::through(const std::vector<KeyBlade>& blades) {
@@ -95,7 +111,7 @@ Result<BladeSweep> BladeSweep::through(const std::vector<KeyBlade>& blades) {
     y.push_back(blade.y);
     sweep.poles_.push_back(numbersOf(blade));
   }
-  sweep.degree_ = std::min(kDegree, int(y.size()) - 1);
+  sweep.degree_ = std::min(kCubic, int(y.size()) - 1);
   const shape::SplineInterpolation alongY(y, sweep.degree_);
   alongY.solve(sweep.poles_.data(), 1);
   sweep.knots_ = alongY.knots();
@@ -153,6 +169,48 @@ Result<std::vector<Eigen::Vector2d>> bladeVelocities(const KeyBlade& blade, cons
   return velocities;
 }
 
+Result<std::vector<Eigen::Vector3d>> spaceVelocities(const KeyBlade& blade, const KeyBlade& change,
+                                                     const std::vector<double>& shares) {
+  const Result<std::vector<Eigen::Vector2d>> flat = bladeVelocities(blade, change, shares);
+  if (!flat) return tl::unexpected<Error>(flat.error());
+  const Result<Elastica> elastica = elasticaOf(blade);
+  if (!elastica) return tl::unexpected<Error>(elastica.error());
+  const Eigen::Vector2d along(std::cos(blade.turn), std::sin(blade.turn)), across(-along.y(), along.x());
+  std::vector<Eigen::Vector3d> velocities;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    const double aside = elastica->at(shares[k] * blade.length).point.x() - blade.middle.x();
+    const Eigen::Vector2d plan = Eigen::Vector2d(change.middle.x(), 1) +
+                                 ((*flat)[k].x() - change.middle.x()) * along + aside * change.turn * across;
+    velocities.emplace_back(plan.x(), plan.y(), (*flat)[k].y());
+  }
+  return velocities;
+}
+
+std::optional<TurningPlanes> planesOf(const DesignedSurface& surface) {
+  const auto* blades = std::get_if<BladesSurface>(&surface.shape);
+  if (!blades || std::ranges::all_of(blades->blades, [](const KeyBlade& blade) { return blade.turn == 0; }))
+    return {};
+  const Result<BladeSweep> sweep = BladeSweep::through(blades->blades);
+  if (!sweep) return {};
+  TurningPlanes planes;
+  const Eigen::Matrix3d axes = rotationFromAngles(surface.rotation);
+  planes.frame = {surface.origin, -axes.col(0), axes.col(2), axes.col(1)};
+  planes.turn.to = sweep->to();
+  // Cubics between two keys, each by its ends.
+  for (std::size_t i = 0; i + 1 < blades->blades.size(); ++i) {
+    const double from = blades->blades[i].y, way = blades->blades[i + 1].y - from;
+    const KeyBlade a = sweep->at(from), b = sweep->at(from + way), da = sweep->changeAt(from),
+                   db = sweep->changeAt(from + way);
+    const auto cubic = [way](double p, double q, double dp, double dq) -> std::array<double, 4> {
+      const double rise = (q - p) / way;
+      return {p, dp, (3 * rise - 2 * dp - dq) / way, (dp + dq - 2 * rise) / (way * way)};
+    };
+    planes.turn.spans.push_back({from, cubic(-a.middle.x(), -b.middle.x(), -da.middle.x(), -db.middle.x()),
+                                 cubic(a.turn, b.turn, da.turn, db.turn)});
+  }
+  return planes;
+}
+
 namespace shape {
 
 Result<SplineSurface> splineOf(const BladesSurface& surface) {
@@ -178,8 +236,21 @@ Result<SplineSurface> splineOf(const BladesSurface& surface) {
   Places y;
   for (const KeyBlade& blade : surface.blades) y.breaks.push_back(blade.y);
   y.parts = std::max(1, kFirstSpans / int(y.breaks.size() - 1));
+  // Blades whose planes turn are rows of places in space.
+  std::vector<Eigen::Vector2d> flat;
+  const SpaceRowOf placedRow = [&](double at, std::span<const double> u,
+                                   std::span<Eigen::Vector3d> out) -> Result<void> {
+    flat.resize(out.size());
+    if (Result<void> ok = rowOf(at, u, flat); !ok) return ok;
+    const KeyBlade blade = sweep->at(at);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = blade.placed(flat[i]);
+    return {};
+  };
+  const bool turns = std::ranges::any_of(surface.blades, [](const KeyBlade& b) { return b.turn != 0; });
+  const Places u{{0, 1}, kFirstSpans};
   Result<FittedGrid> fitted =
-      fittedGrid(rowOf, {{0, 1}, kFirstSpans}, y, BladesSurface::kTolerance, BladesSurface::kMostPoles);
+      turns ? fittedGrid(placedRow, u, y, BladesSurface::kTolerance, BladesSurface::kMostPoles)
+            : fittedGrid(rowOf, u, y, BladesSurface::kTolerance, BladesSurface::kMostPoles);
   if (!fitted) return tl::unexpected<Error>(fitted.error());
   if (fitted->miss <= BladesSurface::kTolerance) return std::move(fitted->spline);
   return fail(ErrorCode::badInput,

@@ -146,8 +146,8 @@ const BladesSurface& bladesOf(const DesignedSurface& surface) {
   return std::get<BladesSurface>(surface.shape);
 }
 
-Eigen::Vector3d placed(const DesignedSurface& surface, const Eigen::Vector2d& point, double y) {
-  return surface.origin + rotationFromAngles(surface.rotation) * Eigen::Vector3d(point.x(), y, point.y());
+Eigen::Vector3d placed(const DesignedSurface& surface, const KeyBlade& blade, const Eigen::Vector2d& point) {
+  return surface.origin + rotationFromAngles(surface.rotation) * blade.placed(point);
 }
 
 }  // namespace
@@ -199,10 +199,8 @@ Findings toldFindings(const DesignedSurface& surface, const std::vector<ToldStre
     Remedies remedies;
     if (stretch.fault == Fault::tight)
       remedies = {sweep::bladeThatBendsTo(sweep::kRadiusReserve * stretch.radius)};
-    findings.push_back({Severity::warning,
-                        cause,
-                        {{}, placed(surface, sweep->at(stretch.worst).middle, stretch.worst)},
-                        remedies});
+    const KeyBlade worst = sweep->at(stretch.worst);
+    findings.push_back({Severity::warning, cause, {{}, placed(surface, worst, worst.middle)}, remedies});
   }
   return findings;
 }
@@ -217,10 +215,11 @@ std::vector<std::vector<Eigen::Vector3d>> markedBlades(const DesignedSurface& su
   for (int i = 0; i <= parts; ++i) places.push_back(std::lerp(stretch.from, stretch.to, double(i) / parts));
   std::ranges::sort(places);
   for (const double y : places) {
-    const Result<Elastica> blade = elasticaOf(sweep->at(y));
+    const KeyBlade there = sweep->at(y);
+    const Result<Elastica> blade = elasticaOf(there);
     if (!blade) continue;  // it was one when the stretch was found
     std::vector<Eigen::Vector3d>& line = lines.emplace_back();
-    for (const Eigen::Vector2d& p : blade->sample(kMarkPoints)) line.push_back(placed(surface, p, y));
+    for (const Eigen::Vector2d& p : blade->sample(kMarkPoints)) line.push_back(placed(surface, there, p));
   }
   return lines;
 }

@@ -151,6 +151,9 @@ QString Inspector::toldHere() const {
     from = std::min(from, y);
     to = std::max(to, y);
   }
+  // Planes that turn are those of the key blades, and their levels these y.
+  if (const PlaneFamily planes = bench_.sweep()->sweep.planes; planes.turns())
+    from = to = planes.entry + at->pose.travel;
   const std::vector<ToldStretch>& stretches = *shown->told[place].value;
   const Findings& findings = shown->told[place].findings;
   QStringList told;

@@ -50,7 +50,10 @@ std::vector<Eigen::Vector3d> placesOf(const DesignedSurface& surface) {
   } else if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
     for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
     for (const KeyBlade& blade : blades->blades)
-      for (const Eigen::Vector2d& end : endsOf(blade)) add(end.x(), blade.y, end.y());
+      for (const Eigen::Vector2d& end : endsOf(blade)) {
+        const Eigen::Vector3d place = blade.placed(end);
+        add(place.x(), place.y(), place.z());
+      }
   }
   return places;
 }
@@ -265,7 +268,7 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
       if (const Result<Elastica> curve = elasticaOf(blade)) {
         scene::Polyline& line = handles.curves.emplace_back();
         for (const Eigen::Vector2d& p : curve->sample(kCurveParts + 1))
-          line.push_back(surface->origin + turned * Eigen::Vector3d(p.x(), blade.y, p.y()));
+          line.push_back(surface->origin + turned * blade.placed(p));
       }
     }
     for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));

@@ -100,7 +100,9 @@ DirectionLines* makeCutDirection(Workbench& bench, FormColumn* column, QObject* 
   const auto tr = [](const char* text) { return QCoreApplication::translate("DirectionLines", text); };
   return new DirectionLines(
       bench, column,
-      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
+      {tr("Direction"),
+       tr("The way the blade travels; automatic: the best of some that are tried, "
+          "or the way of key blades that turn, whose planes turn with them"),
        tr("Direction %1")},
       [&bench] { return bench.cut().direction; }, placeInCut(bench, "/direction"),
       [&bench] {

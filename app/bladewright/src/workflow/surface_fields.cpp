@@ -476,6 +476,11 @@ void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_
   add(
       tr("Lean"), [of](DesignedSurface& s) -> double& { return of(s).angle; }, "/angle_deg",
       {2, 1, QStringLiteral("°"), kDegree}, tr("Angle of the tangent at the middle"));
+  add(
+      tr("Turn"), [of](DesignedSurface& s) -> double& { return of(s).turn; }, "/turn_deg",
+      {2, 1, QStringLiteral("°"), kDegree},
+      tr("Of the blade's plane about the upright line through its middle, seen from above against the clock; "
+         "0 lies across the travel. Planes must not meet in the block"));
   for (const std::size_t end : {0u, 1u}) {
     const QString label = end == 0 ? tr("Left end z") : tr("Right end z");
     column->add(

@@ -27,6 +27,7 @@ struct DrawnCut {
   CutPose pose;                                          ///< how the block lies for it
   std::string lies;                                      ///< the same in words; empty where as it is placed
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of travel, unit
+  std::string turns = {};                                ///< by how much planes turn; empty if parallel
   Polyline blade = {};                                   ///< at the first station, from the left grip on
   std::vector<Polyline> across = {};                     ///< blades at some stations, where they cut
   double bladeLength = 0;                                ///< mm

@@ -27,8 +27,8 @@ enum class Told {
 
 /// The fewest key blades found whose sweep comes within `tolerance` (mm) of the sections of a cut, or of its
 /// blades at the stations (`fewestBlades`). Error `badInput` where the cut has no such, or a section that is
-/// no single curve, or where the blade does not lie in the surface that it cuts since it has a kerf; those of
-/// `fewestBlades`.
+/// no single curve, or planes that turn, or where the blade does not lie in the surface that it cuts since it
+/// has a kerf; those of `fewestBlades`.
 Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tolerance,
                                  const RunContext& context);
 

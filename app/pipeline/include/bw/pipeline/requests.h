@@ -87,6 +87,8 @@ Blade bladeOf(const Design& design, const Cut& cut);
 FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 /// mm that the sections of such blades are followed on their surface beyond the block; 0 if not.
 double reachBeyond(const FitRequest& fit, const Blade& blade, const Box& lies);
+/// The planes of key blades that are turned, where the surface of the cut is told by such.
+std::optional<TurningPlanes> turningOf(const Design& design, const Cut& cut);
 CheckRequest checkRequest(const Design& design, const Cut& cut);
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies);
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);

@@ -357,6 +357,11 @@ struct FacesLeftOut {
 struct TravelAcross {
   static constexpr FindingKind kind = FindingKind::direction;
 };
+/// The key blades of the surface turn, but the cut has a direction of its own: its planes are parallel.
+struct PlanesNotTurned {
+  static constexpr FindingKind kind = FindingKind::direction;
+  double least = 0, most = 0;  ///< what the planes of the key blades are turned by, rad
+};
 /// The direction that was chosen rather than the usual one.
 struct ChosenDirection {
   static constexpr FindingKind kind = FindingKind::direction;
@@ -531,18 +536,17 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
-                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
-                 BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
-                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths,
-                 GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-                 SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
-                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
-                 ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled,
-                 BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell,
-                 WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<
+    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
+    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, NearBottom,
+    SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, ToldBlades, TargetsCrowd,
+    LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay,
+    OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort,
+    SectionBranches, SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit,
+    SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned,
+    ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen,
+    JointUnknown, KerfUnsettled, BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft,
+    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

@@ -16,7 +16,8 @@
 
 namespace bw {
 
-/// An elastica in the plane across the travel, told by its middle.
+/// An elastica in an upright plane, told by its middle. The plane lies across the travel, or is turned about
+/// the upright line through the middle.
 struct KeyBlade {
   static constexpr double kMostBend = 50;     ///< rad
   static constexpr double kMostForce = 1600;  ///< 40², beyond which the middle does not tell the ends
@@ -27,11 +28,16 @@ struct KeyBlade {
   double length = 600;                              ///< mm, of the curve from end to end
   double bend = 0;                                  ///< curvature there times the length
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< λ there along tangent and normal, times its square
+  double turn = 0;                                  ///< of its plane, from x towards y, rad
   bool operator==(const KeyBlade&) const = default;
+
+  static constexpr double kMostTurn = 1.4;  ///< rad, about 80°
+  /// Where a place (x, z) lies that is told as if the plane were not turned.
+  Eigen::Vector3d placed(const Eigen::Vector2d& place) const;
 };
 
-/// The curve of a blade, in the plane (x, z). Errors `badInput`: numbers that are not finite or beyond their
-/// bounds, a length that is not above 0.
+/// The curve of a blade, in the plane (x, z) as if that were not turned. Errors `badInput`: numbers that are
+/// not finite or beyond their bounds, a length that is not above 0.
 Result<Elastica> elasticaOf(const KeyBlade& blade);
 
 /// The numbers of a curve; its force is bounded (`elasticaOf` may then refuse it).
@@ -62,7 +68,7 @@ class BladeSweep {
   KeyBlade changeAt(double y) const;
 
  private:
-  using Numbers = Eigen::Matrix<double, 7, 1>;
+  using Numbers = Eigen::Matrix<double, 8, 1>;
   BladeSweep() = default;
   static Numbers numbersOf(const KeyBlade& blade);
   static KeyBlade bladeOf(const Numbers& numbers, double y);
@@ -76,6 +82,10 @@ class BladeSweep {
 /// Where the points at `shares` (0 to 1) of a blade's length move as y grows: d(x, z)/dy, analytic by the
 /// derivatives of the elastica. Times the speed of travel it is the velocity within the plane.
 Result<std::vector<Eigen::Vector2d>> bladeVelocities(const KeyBlade& blade, const KeyBlade& change,
+                                                     const std::vector<double>& shares);
+
+/// The same in space, (x, y, z), with the turn of the plane: times the speed of travel the velocity.
+Result<std::vector<Eigen::Vector3d>> spaceVelocities(const KeyBlade& blade, const KeyBlade& change,
                                                      const std::vector<double>& shares);
 
 /// A curve in the plane across the travel at y.

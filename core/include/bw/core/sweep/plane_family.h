@@ -62,6 +62,8 @@ struct PlaneFamily {
   static Result<PlaneFamily> turning(const Box& block, TurningPlanes told);
 
   bool turns() const { return !turn.spans.empty(); }
+  /// What the plane of a level is turned by about y from that of the direction, rad.
+  double angle(double level) const { return turn.at(level).angle[0]; }
   /// Of the travel; of planes that turn the one from which their angles count.
   const Eigen::Vector3d& direction() const { return frame.normal; }
   /// Of the plane through a place. Whoever asks where a place lies in the travel asks here.

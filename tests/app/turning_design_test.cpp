@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Key blades that turn, from the design to its files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bw/core/base/units.h"
+#include "bw/core/shape/turning_planes.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/key_blades.h"
+#include "bw/pipeline/produce.h"
+#include "bw/pipeline/sketch.h"
+
+namespace bw::pipeline {
+namespace {
+
+Evaluation evaluated(const Design& design) {
+  Outcome outcome = evaluate(design, nullptr, {});
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::move(outcome.evaluation);
+}
+
+Design turning() {
+  Design design = exampleDesign("turning-blades").value();
+  design.output.programs.clear();
+  return design;
+}
+
+template <class Cause>
+const Cause* told(const Findings& findings) {
+  for (const Finding& finding : findings)
+    if (const auto* cause = std::get_if<Cause>(&finding.cause)) return cause;
+  return nullptr;
+}
+
+TEST(TurningDesign, BladesStandInThePlanesOfTheirKeysAndFilesTellHowFarTheseTurn) {
+  const Design design = turning();
+  const Evaluation e = evaluated(design);
+  ASSERT_TRUE(e.result());
+  const CutResult result = *e.result();
+  const PlaneFamily& planes = result.sweep.planes;
+  const PlaneTurn own = planesOf(*design.source().surface)->turn;
+  ASSERT_TRUE(planes.turns());
+  double before = -1;
+  for (const BladePose& pose : result.sweep.poses) {
+    EXPECT_GT(pose.travel, before);
+    before = pose.travel;
+    const double angle = own.at(planes.level(pose.bladePoints(3)[1])).angle[0];
+    EXPECT_NEAR((pose.frame.normal - Eigen::Vector3d(-std::sin(angle), std::cos(angle), 0)).norm(), 0, 1e-6);
+  }
+  // What is told by blades is cut by them, but for their weight.
+  EXPECT_LT(result.analysis.summary.deviationMax, 0.2);
+  EXPECT_LT(result.between.deviationMax, 0.3);
+
+  const nlohmann::json report = nlohmann::json::parse(reportJson(e, "run", {}, words::Reader::commandLine));
+  EXPECT_EQ(report["method"]["planes"], "turning");
+  // As its keys do: not at all at the faces of the block, and to either side between them.
+  const nlohmann::json& turned = report["method"]["planes_turned_deg"];
+  EXPECT_EQ(turned["first"], 0);
+  EXPECT_EQ(turned["last"], 0);
+  EXPECT_NEAR(turned["most"].get<double>(), 5, 0.5);
+  EXPECT_NEAR(turned["least"].get<double>(), -5, 0.5);
+}
+
+TEST(TurningDesign, ACutWithADirectionOfItsOwnHasParallelPlanesAndSaysSo) {
+  Design design = turning();
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 9;
+  const Evaluation e = evaluate(design, nullptr, {}).evaluation;
+  ASSERT_TRUE(e.cut().setup);
+  EXPECT_FALSE(e.cut().setup->planes.turns());
+  const PlanesNotTurned* cause = told<PlanesNotTurned>(e.findings());
+  ASSERT_TRUE(cause);
+  EXPECT_NEAR(cause->most, fromDegrees(5), 1e-9);
+  design.cut().direction.reset();
+  EXPECT_FALSE(told<PlanesNotTurned>(evaluate(design, &e, {}).evaluation.findings()));
+}
+
+TEST(TurningDesign, AHandThatTurnsAKeyTakesThePlanesWithIt) {
+  Design design = turning();
+  design.cut().sections.stations = 9;
+  const auto before = std::make_shared<const Evaluation>(evaluated(design));
+  Sketcher sketcher(before);
+  std::get<BladesSurface>(design.source().surface->shape).blades.back().turn += fromDegrees(2);
+  const std::optional<Sketch> sketch = sketcher.draw(design, {});
+  ASSERT_TRUE(sketch);
+  const CutSketch& cut = sketch->blocks[0][0];
+  const PlaneFamily wanted = evaluated(design).cut().setup->planes;
+  EXPECT_EQ(cut.setup->planes, wanted);
+  EXPECT_NE(cut.setup->planes, before->cut().setup->planes);
+  for (const BladePose& pose : cut.sweep->poses)
+    EXPECT_NEAR((pose.frame.normal - wanted.at(wanted.level(pose.bladePoints(3)[1])).normal).norm(), 0, 1e-6);
+}
+
+TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
+  Design design = exampleDesign("block-wall").value();
+  design.output.programs.clear();
+  // As the faces of the blocks lie at these, and turned between them.
+  BladesSurface shape;
+  for (const double y : {0.0, 400.0, 800.0})
+    shape.blades.push_back({y, {900, 250}, 0, 2000, -0.3, {0, 0}, y == 400 ? fromDegrees(3) : 0});
+  design.source().surface = DesignedSurface{shape};
+  for (Cut& cut : design.cuts) {
+    cut.direction.reset();
+    cut.sections.stations = 17;
+  }
+  const Evaluation e = evaluate(design, nullptr, {}).evaluation;
+  ASSERT_EQ(e.blocks.size(), 3u);
+  for (const BlockEvaluation& block : e.blocks) {
+    ASSERT_TRUE(block.cuts[0].setup);
+    EXPECT_EQ(block.cuts[0].setup->planes.turn, planesOf(*design.source().surface)->turn);
+  }
+  ASSERT_TRUE(e.joints.value);
+  EXPECT_EQ(e.joints.value->joints.size(), 2u);
+  EXPECT_FALSE(told<JointUnknown>(e.findings()));
+  EXPECT_FALSE(told<JointOpen>(e.findings()));
+  EXPECT_LT(e.joints.value->gapMax(), 0.1);
+  EXPECT_LT(e.joints.value->kinkMax(), fromDegrees(1));
+}
+
+TEST(TurningDesign, PlanesThatMeetInTheBlockAreRefusedWithTheirPlace) {
+  Design design = turning();
+  auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;
+  for (KeyBlade& blade : blades) blade.turn *= 6;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_NE(outcome.error->message.find("meet in the block, near x = "), std::string::npos)
+      << outcome.error->message;
+}
+
+TEST(TurningDesign, KeyBladesAreNotToldFromPlanesThatTurn) {
+  Design design = turning();
+  design.cut().sections.stations = 9;
+  const Evaluation e = evaluated(design);
+  const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), Told::target, 0.1, {});
+  ASSERT_FALSE(keys);
+  EXPECT_NE(keys.error().message.find("Give the cut a direction first"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bw::pipeline
