@@ -64,6 +64,47 @@ constexpr const char* kModules[] = {"T_ROB1/BladeLeft.mod", "T_ROB2/BladeRight.m
 
 }  // namespace
 
+TEST(RapidMotion, OutsideOfTheFoamTheBladeIsCarriedAsItLies) {
+  const auto good = sample::rapid();
+  ASSERT_TRUE(good) << good.error().message;
+  for (const char* path : kModules)
+    for (const char* name : {"pApproach", "pRetreat"}) {
+      Program copy = *good;
+      for (const Declared& target : targetsOf(sample::file(copy, path))) {
+        if (target.name != name) continue;
+        const std::vector<sample::Told> told = errorsOf(moved(*good, path, target, {0, 0, 3}));
+        ASSERT_EQ(told.size(), 1u) << path << name << listed(told);
+        EXPECT_EQ(told[0].kind, "rapid-rule-19");
+        EXPECT_NE(told[0].message.find(std::string("at \"") + name + "\" the right end is held 3 mm"),
+                  std::string::npos)
+            << told[0].message;
+        EXPECT_TRUE(errorsOf(moved(*good, path, target, {0, 0, 0.05})).empty()) << "as rounding moves it";
+      }
+    }
+}
+
+TEST(RapidMotion, WhatStandsStillStandsTwiceInTheMotion) {
+  Program text = *sample::rapid();
+  const auto before = readRapid(text);
+  ASSERT_TRUE(before) << before.error().message;
+  for (const char* path : kModules)
+    ASSERT_TRUE(
+        sample::replace(sample::file(text, path), "MoveL p0004", "WaitTime 5;\r\n        MoveL p0004"));
+  const auto waits = readRapid(text);
+  ASSERT_TRUE(waits) << waits.error().message;
+  EXPECT_NEAR(waits->duration(), before->duration() + 5, 1e-9);
+  ASSERT_EQ(waits->instants.size(), before->instants.size() + 1);
+  EXPECT_EQ(waits->instants[2].poses[0].position, waits->instants[3].poses[0].position);
+  EXPECT_NEAR(waits->instants[3].time - waits->instants[2].time, 5, 1e-9);
+  EXPECT_EQ(waits->instants[2].zone, 0) << "it comes to rest there";
+  const std::vector<sample::Told> told = errorsOf(text);
+  ASSERT_EQ(told.size(), 2u) << listed(told);
+  for (const sample::Told& one : told) {
+    EXPECT_EQ(one.kind, "rapid-rule-13");
+    EXPECT_NE(one.message.find("stand still for 5 s at \"p0003\""), std::string::npos) << one.message;
+  }
+}
+
 TEST(RapidMotion, EveryTargetMovedByAMetreIsAnErrorThatNamesIt) {
   int tried = 0;
   for (const auto& [instants, seconds] :
@@ -141,9 +182,15 @@ TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
   const std::size_t before = errorsOf(*program).size();
   const Declared last = targetsOf(sample::file(*program, kModules[1])).back();
   const std::vector<sample::Told> errors = errorsOf(moved(*program, kModules[1], last, {-1000, 0, 0}));
-  ASSERT_EQ(errors.size(), before + 1) << listed(errors);
-  EXPECT_EQ(errors.back().kind, "rapid-rule-17");
-  EXPECT_NE(errors.back().message.find("\"" + last.name + "\""), std::string::npos);
+  // It leaps, and the blade is not carried as it lies.
+  ASSERT_EQ(errors.size(), before + 2) << listed(errors);
+  for (const char* kind : {"rapid-rule-17", "rapid-rule-19"})
+    EXPECT_TRUE(std::ranges::any_of(errors,
+                                    [&](const sample::Told& one) {
+                                      return one.kind == kind &&
+                                             one.message.find("\"" + last.name + "\"") != std::string::npos;
+                                    }))
+        << kind << listed(errors);
 }
 
 TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {

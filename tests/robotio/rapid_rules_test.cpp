@@ -93,7 +93,11 @@ std::vector<Mutation> mutations() {
       changeBoth("rapid-rule-5", "\\ID:=70,vTravel\\T:=0.5000,fine", "\\ID:=70,vTravel\\T:=0.5000,z1"),
       changeBoth("rapid-rule-5", "SyncMoveOff syncOff;", ""),
       changeBoth("rapid-rule-5", "SyncMoveOn syncOn,taskList;", ""),
+      change("rapid-rule-5", kLeft, "WaitSyncTask syncReady,taskList;",
+             "MoveAbsJ jtHome,vTravel,fine,tBladeLeft\\WObj:=wobj0;\r\n        WaitSyncTask "
+             "syncReady,taskList;"),
       // 6: IDs
+      change("rapid-rule-6", kRight, "\\ID:=40,vCut\\T:=8.3750,z1", "\\ID:=40,vCut\\T:=8.3750,z5"),
       changeBoth("rapid-rule-6", "\\ID:=40", "\\ID:=30"),
       changeBoth("rapid-rule-6", "\\ID:=40", "\\ID:=25"),
       changeBoth("rapid-rule-6", "\\ID:=40", "\\ID:=40.5"),
@@ -103,6 +107,8 @@ std::vector<Mutation> mutations() {
              "        MoveL p0003\\ID:=40,vCut\\T:=8.3750,z1,tBladeRight\\WObj:=wBlock;\r\n", ""),
       change("rapid-rule-6", kRight, "MoveAbsJ jtHome,", "MoveAbsJ jtHome\\ID:=5,"),
       change("rapid-rule-6", kRight, "\\ID:=40,vCut\\T:=8.3750,z1", "\\ID:=40,vCut\\T:=8.3750,fine"),
+      // 13: standing still
+      changeBoth("rapid-rule-13", "MoveL p0003\\ID:=40", "WaitTime 5;\r\n        MoveL p0003\\ID:=40"),
       // 7: durations
       change("rapid-rule-7", kRight, "\\ID:=40,vCut\\T:=8.3750", "\\ID:=40,vCut\\T:=8.3760"),
       change("rapid-rule-7", kRight, "\\ID:=40,vCut\\T:=8.3750", "\\ID:=40,vCut"),

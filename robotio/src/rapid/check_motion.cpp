@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// The rules on the motion itself: 16, the grips are never further apart than the blade is long, and 17, no
-// target leaps out of the path. Both find what is in no declaration wrong: a target that was moved, or that
-// belongs to another program.
+// The rules on the motion itself: 16, the grips are never further apart than the blade is long, 17, no
+// target leaps out of the path, and 19, outside of the foam the blade is carried as it lies. All find what is
+// in no declaration wrong: a target that was moved, or that belongs to another program.
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +126,40 @@ class PathChecker {
   std::vector<Segment> segments_;
 };
 
+constexpr double kHeld = 0.1;       ///< mm by which the right end may move against the left one
+constexpr double kHeldTurn = 0.05;  ///< degrees by which an end may turn
+
+/// The right end seen from the left one.
+Pose between(const Step& left, const Step& right) {
+  const Pose a = poseOf(left), b = poseOf(right);
+  const Eigen::Quaterniond back = a.rotation.normalized().conjugate();
+  return {back * (b.position - a.position), back * b.rotation.normalized()};
+}
+
 }  // namespace
+
+void checkCarried(const LinkedProgram& program, Breaches& breaches) {
+  if (program.tasks.size() != 2) return;
+  const std::vector<const Step*> left = synchronisedMoves(program.tasks[0]),
+                                 right = synchronisedMoves(program.tasks[1]);
+  const std::size_t n = std::min(left.size(), right.size());
+  const auto look = [&](std::size_t out, std::size_t in, std::string_view name) {
+    const Step &l = *left[out], &r = *right[out];
+    if (!sameName(l.statement->name, name) || !hasPose(l) || !hasPose(r) || !hasPose(*left[in]) ||
+        !hasPose(*right[in]))
+      return;
+    const Pose a = between(l, r), b = between(*left[in], *right[in]);
+    const double off = (a.position - b.position).norm(), turn = turnDegrees(a.rotation, b.rotation);
+    if (off <= kHeld && turn <= kHeldTurn) return;
+    breaches.rule(19, r,
+                  "at " + nameOf(l) + " the right end is held " + shortText(off, 4) + " mm and " +
+                      shortText(turn, 4) + " degrees otherwise against the left one than at " +
+                      nameOf(*left[in]) + ": the blade is not carried as it lies, but bent on the way");
+  };
+  if (n < 2) return;
+  look(0, 1, kApproachTarget);
+  if (left.size() == right.size()) look(n - 1, n - 2, kRetreatTarget);
+}
 
 void checkLeaps(const LinkedTask& task, Breaches& breaches) {
   for (const std::vector<const Step*>& path : synchronisedBlocks(task)) PathChecker(path, breaches).run();

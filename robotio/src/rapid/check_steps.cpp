@@ -64,6 +64,13 @@ class StepChecker {
           break;
         case StatementKind::waitTime:
           if (!(*step.statement->duration >= 0)) breaches_.rule(14, step, "WaitTime needs a time >= 0 s");
+          if (step.synchronised && *step.statement->duration > 0)
+            breaches_.rule(
+                13, step,
+                "WaitTime stands inside of the synchronised block: the hot blade would stand still for " +
+                    shortText(*step.statement->duration) + " s" +
+                    (lastMove_ ? " at " + quoted(lastMove_->statement->name) : std::string()) +
+                    " and melt what is around it");
           break;
         case StatementKind::message:
         case StatementKind::call:
@@ -95,6 +102,11 @@ class StepChecker {
       else if (!step.workObject && sameName(s.workObject, "wobj0"))
         breaches_.rule(14, step, "targets are given in the block's work object, not in wobj0");
     }
+    if (!step.synchronised && lastMove_)
+      breaches_.rule(5, step,
+                     "the move to " + quoted(s.name) +
+                         " is not synchronised, and not the first: the ends of the blade would not move "
+                         "together");
     if (sameName(s.tool, "tool0"))
       breaches_.rule(14, step, "the move uses tool0; it must use the tool that describes the blade clamp");
     if (s.duration && !(*s.duration > 0))

@@ -139,6 +139,10 @@ class TaskComparer {
       const std::string id = "\\ID " + shortText(l.statement->id.value_or(-1), 9);
       if ((l.zone < 0) != (r.zone < 0))
         breaches_.rule(6, r, id + " ends in fine in one task and in a zone in another");
+      else if (l.zone >= 0 && std::abs(l.zone - r.zone) > kSameDistance)
+        breaches_.rule(6, r,
+                       id + " ends in a zone of " + shortText(r.zone) + " mm, in " + a.name + " of " +
+                           shortText(l.zone) + " mm; the ends would not cut the corner together");
       if (l.part != r.part) {
         breaches_.rule(3, r,
                        "the program is split before " + id + " in one task and not in " + a.name +

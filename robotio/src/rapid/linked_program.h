@@ -123,6 +123,8 @@ void checkLeaps(const LinkedTask& task, Breaches& breaches);
 /// The rule on the distance of the two ends of a blade of that free length in mm (16); nothing where it is 0,
 /// or where the tasks are not two.
 void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& breaches);
+/// The rule on approach and retreat (19): the blade is carried as it lies at the first and the last target.
+void checkCarried(const LinkedProgram& program, Breaches& breaches);
 /// The rules that tie the tasks together (3, 4, 6, 7, 13, 14).
 void checkAcrossTasks(const LinkedProgram& program, Breaches& breaches);
 

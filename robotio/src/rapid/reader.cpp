@@ -12,6 +12,22 @@
 
 namespace bw::robotio {
 
+namespace {
+
+/// s to stand still after each of the synchronised moves of a task; before the first one nothing has moved.
+std::vector<double> waitsOf(const LinkedTask& task) {
+  std::vector<double> waits;
+  for (const Step& step : task.steps) {
+    if (!step.synchronised) continue;
+    if (step.isMove()) waits.push_back(0);
+    if (step.statement->kind == StatementKind::waitTime && !waits.empty())
+      waits.back() += step.statement->duration.value_or(0);
+  }
+  return waits;
+}
+
+}  // namespace
+
 Result<Motion> readRapid(const Program& program) {
   Breaches breaches;
   const std::vector<LinkedProgram> linked = linkProgram(program, breaches);
@@ -31,7 +47,7 @@ Result<Motion> readRapid(const Program& program) {
   const LinkedProgram& strip = linked.front();
   const std::vector<const Step*> moves = synchronisedMoves(strip.tasks.front());
   std::vector<std::vector<Pose>> poses(moves.size());
-  std::vector<double> zones(moves.size(), 0);  // of the ends the larger one
+  std::vector<double> zones(moves.size(), 0), waits(moves.size(), 0);  // of the ends the larger one
   for (const LinkedTask& task : strip.tasks) {
     const std::vector<const Step*> steps = synchronisedMoves(task);
     if (steps.size() != moves.size() ||
@@ -40,7 +56,9 @@ Result<Motion> readRapid(const Program& program) {
                   "the synchronised moves of task " + task.name + " are not " + std::to_string(moves.size()) +
                       " linear ones, as many as those of the first task",
                   task.folder);
+    const std::vector<double> stands = waitsOf(task);
     for (std::size_t i = 0; i < steps.size(); ++i) {
+      waits[i] = std::max(waits[i], stands[i]);
       poses[i].push_back(poseOf(*steps[i]));
       zones[i] = std::max(zones[i], steps[i]->zone);
     }
@@ -52,17 +70,24 @@ Result<Motion> readRapid(const Program& program) {
   };
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Statement& s = *moves[i]->statement;
-    if (sameName(s.name, kApproachTarget) && i + 1 < moves.size()) {
+    // In the middle of the path they are targets as any other.
+    if (i == 0 && sameName(s.name, kApproachTarget) && moves.size() > 1) {
       motion.approach = way(i);
-    } else if (sameName(s.name, kRetreatTarget) && i > 0) {
+      continue;
+    }
+    if (i > 0 && i + 1 == moves.size() && sameName(s.name, kRetreatTarget)) {
       motion.retreat = way(i - 1);
-    } else if (motion.instants.empty()) {
+      continue;
+    }
+    if (motion.instants.empty()) {
       motion.instants.push_back({0, -1, poses[i], 0});
     } else {
       const double seconds = s.duration.value_or(farthest(poses[i - 1], poses[i]) / moves[i]->speed);
       motion.cuttingSpeed = std::max(motion.cuttingSpeed, moves[i]->speed);
-      motion.instants.push_back({motion.instants.back().time + seconds, -1, poses[i], zones[i]});
+      motion.instants.push_back(
+          {motion.instants.back().time + seconds, -1, poses[i], waits[i] > 0 ? 0 : zones[i]});
     }
+    if (waits[i] > 0) motion.instants.push_back({motion.instants.back().time + waits[i], -1, poses[i], 0});
   }
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
   return motion;
@@ -117,6 +142,7 @@ Findings checkRapid(const Program& program) {
     if (!readable) continue;
     checkAcrossTasks(strip, breaches);
     checkGrips(strip, bladeLength, breaches);
+    checkCarried(strip, breaches);
   }
   return breaches.take();
 }

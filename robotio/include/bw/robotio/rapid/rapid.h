@@ -21,8 +21,9 @@ Result<Program> writeRapid(const ProgramPlan& plan, const ProgramNotes& notes = 
 
 /// The strict reader of the RAPID subset that we write: any construct outside the subset is an error with
 /// file, line and text. `program` are the .mod/.modx files by folder. The motion is that of the moves in the
-/// synchronised block, its cutting speed one that none of them exceeds. No program tells the block and the
-/// stations: they stay at their defaults.
+/// synchronised block, its cutting speed one that none of them exceeds; where the blade stands still between
+/// them (WaitTime) the instant stands there twice. No program tells the block and the stations: they stay at
+/// their defaults.
 Result<Motion> readRapid(const Program& program);
 
 /// Applies every rule that needs no robot kinematics (names, files, line ends, task lists, syncidents, IDs,
