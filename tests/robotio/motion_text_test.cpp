@@ -98,6 +98,33 @@ TEST(MotionCsv, ReadsWindowsLineEndsAndSpaces) {
   expectEqual(*read, sample::motion());
 }
 
+TEST(MotionText, AByteOrderMarkIsNoPartOfIt) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const auto csv = readCsv(mark + writeCsv(sample::motion())->front().bytes);
+  ASSERT_TRUE(csv) << csv.error().message;
+  expectEqual(*csv, sample::motion());
+  const auto json = readJson(mark + writeJson(sample::motion(), sample::cell())->front().bytes);
+  ASSERT_TRUE(json) << json.error().message;
+  expectEqual(*json, sample::motion());
+  // A controller does not take it, and that alone is told.
+  Program program = *sample::rapid();
+  sample::file(program, "T_ROB1/BladeLeft.mod").insert(0, mark);
+  const std::vector<sample::Told> told = sample::check(program);
+  ASSERT_FALSE(told.empty());
+  for (const sample::Told& one : told) {
+    EXPECT_EQ(one.kind, "rapid-rule-2");
+    EXPECT_NE(one.message.find("byte order mark"), std::string::npos) << one.message;
+  }
+  // Other marks are of other text.
+  for (const std::string& other : {std::string("\xFF\xFEt\0i\0", 6), std::string("\xFE\xFF\0t\0i", 6)}) {
+    EXPECT_NE(readCsv(other).error().message.find("UTF-16"), std::string::npos);
+    EXPECT_NE(readJson(other).error().message.find("UTF-16"), std::string::npos);
+  }
+  std::string semicolons = writeCsv(sample::motion())->front().bytes;
+  sample::replaceAll(semicolons, ",", ";");
+  EXPECT_NE(readCsv(semicolons).error().message.find("semicolons; save it with commas"), std::string::npos);
+}
+
 void expectCsvFault(const std::string& text, const std::string& words) {
   const auto read = readCsv(text);
   ASSERT_FALSE(read) << words;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
 #include "rapid/names.h"
 #include "rapid/scanner.h"
@@ -302,7 +303,8 @@ class Parser {
 }  // namespace
 
 ParsedModule parseModule(std::string path, std::string_view text) {
-  return Parser(std::move(path), text).run();
+  // A mark before the text is told by a rule of its own.
+  return Parser(std::move(path), withoutByteOrderMark(text)).run();
 }
 
 const char* dataTypeName(DataType type) { return kTypes[std::size_t(type)].word; }

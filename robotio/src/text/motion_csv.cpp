@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
 #include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
@@ -120,6 +121,8 @@ class CsvReader {
     const std::size_t fixed = kFirstPose + kMotionColumns.size();
     const std::size_t poseCells = cells.size() > fixed ? cells.size() - fixed : 0;
     ends_ = poseCells / kPoseColumns.size();
+    if (cells.size() == 1 && cells[0].find(';') != std::string_view::npos)
+      return wrong("the cells are separated by semicolons; save it with commas, and points in numbers");
     if (cells.size() > kMaxColumns || ends_ < 1 || ends_ * kPoseColumns.size() != poseCells)
       return wrong("the header has " + std::to_string(std::min(cells.size(), kMaxColumns + 1)) +
                    " columns; a motion of one end has " + std::to_string(fixed + kPoseColumns.size()) +
@@ -204,6 +207,11 @@ Result<Program> writeCsv(const Motion& motion) {
   return Program{ProgramFile{"motion.csv", std::move(text)}};
 }
 
-Result<Motion> readCsv(std::string_view text) { return CsvReader(text).run(); }
+Result<Motion> readCsv(std::string_view text) {
+  if (isUtf16(text))
+    return fail(ErrorCode::badInput, "the CSV is UTF-16 text, which is not read here; save it as CSV UTF-8",
+                "line 1");
+  return CsvReader(withoutByteOrderMark(text)).run();  // as spreadsheets begin UTF-8
+}
 
 }  // namespace bw::robotio

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
 #include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
@@ -175,6 +176,9 @@ Result<Motion> readJson(std::string_view text) {
   } catch (const Error& error) {
     return tl::unexpected<Error>(error);
   } catch (const json::parse_error& error) {
+    if (isUtf16(text))
+      return fail(ErrorCode::badInput, "the motion is UTF-16 text, which is not read here; save it as UTF-8",
+                  "line 1");
     const std::size_t byte = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(byte), '\n');
     return fail(ErrorCode::badInput, "the motion is not valid JSON: line " + std::to_string(line),
