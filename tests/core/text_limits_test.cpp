@@ -63,6 +63,20 @@ TEST(JsonText, NamesTheNumberThatIsNone) {
   EXPECT_EQ(design.error().message.find("CAD file"), std::string::npos) << design.error().message;
 }
 
+TEST(JsonText, AByteOrderMarkIsNoPartOfIt) {
+  const Result<nlohmann::json> marked = parseJsonText("\xEF\xBB\xBF{\"a\": 1}", "design");
+  ASSERT_TRUE(marked) << marked.error().message;
+  EXPECT_EQ((*marked)["a"], 1);
+  const Result<nlohmann::json> none = parseJsonText("\xEF\xBB\xBF \n", "design");
+  EXPECT_EQ(none.error().message, "design is empty; it must hold a JSON object");
+  for (const std::string& other : {std::string("\xFF\xFE{\0", 4), std::string("\xFE\xFF\0{", 4)}) {
+    EXPECT_EQ(parseJsonText(other, "job").error().message,
+              "job is UTF-16 text, which is not read here; save it as UTF-8");
+    EXPECT_EQ(parseDesign(other).error().message.find("CAD file"), std::string::npos)
+        << parseDesign(other).error().message;
+  }
+}
+
 TEST(TextLimits, DepthIsBoundedWhereverJsonIsRead) {
   const std::string deep = "{\"cases\":" + std::string(200000, '[') + std::string(200000, ']') + "}";
   const auto refused = [](const auto& result) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
 
 namespace bw {
@@ -128,7 +129,10 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
     const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
     const std::size_t lineStart = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
     const std::size_t column = lineStart == std::string_view::npos ? at + 1 : at - lineStart;
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    if (isUtf16(text))
+      return fail(ErrorCode::badInput, what + " is UTF-16 text, which is not read here; save it as UTF-8",
+                  "line 1");
+    if (withoutByteOrderMark(text).find_first_not_of(" \t\r\n") == std::string_view::npos)
       return fail(ErrorCode::badInput, what + " is empty; it must hold a JSON object", what);
     if (const std::string word = unnumberAt(text, at); !word.empty())
       return fail(ErrorCode::badInput,
