@@ -48,8 +48,7 @@ Interrupt::Interrupt() {
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   thread_ = std::thread([this, set] {
     while (!finished) {
-      const timespec wait{0, 50 * 1000 * 1000};
-      if (sigtimedwait(&set, nullptr, &wait) < 0) continue;
+      if (sigwaitinfo(&set, nullptr) < 0 || finished) continue;
       source_.request_stop();
       // The work gets a moment to end by itself; what does not look at the token is left behind.
       const auto patience = std::chrono::steady_clock::now() + kPatience;
@@ -62,6 +61,8 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() {
   finished = true;
+  // Whoever waits for a signal waits for this one too, which nobody else gets.
+  pthread_kill(thread_.native_handle(), SIGTERM);
   thread_.join();
 }
 
