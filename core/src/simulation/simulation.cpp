@@ -60,6 +60,8 @@ class Runner {
   Step<void> begin(const Hold& hold);
   Step<void> go(const Hold& hold, double time, std::size_t instant);
   Step<void> note(const Hold& hold, double time, std::size_t instant, bool atInstant);
+  /// How firmly the blade rests at each moment, and how tightly it bends.
+  Result<void> judge(const RunContext& context);
   /// What comes of the blade at a moment.
   Step<void> moment(std::size_t instant, double share, bool atInstant);
   Vector3d toFile(const Vector3d& inBlock) const {
@@ -90,6 +92,7 @@ class Runner {
   Vector3d home_ = Vector3d::Zero();
   double startAngle_ = 0, turning_ = 0;
   std::optional<HeavyBranch> branch_;  ///< none while the blade is straight
+  std::vector<char> bent_;             ///< of each moment, whether there was one
   Simulation result_;
 };
 
@@ -240,17 +243,29 @@ Step<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool
   }
   SimulatedBlade now{time, instant, frame, *blade};
   now.atInstant = atInstant;
-  if (branch_) {
-    const HeavyMargins margins = marginsOf(*blade);
-    now.margin = margins.inPlane;
-    if (round_) now.outOfPlaneMargin = margins.outOfPlane;
-    now.crossesItself = blade->selfIntersects();
-  }
-  result_.marginMin = std::min(result_.marginMin, now.margin);
-  const double curvature = blade->maxCurvature();
-  if (curvature > 0 && (result_.minRadius == 0 || 1 / curvature < result_.minRadius))
-    result_.minRadius = 1 / curvature;
+  bent_.push_back(branch_.has_value());
   result_.blades.push_back(std::move(now));
+  return {};
+}
+
+Result<void> Runner::judge(const RunContext& context) {
+  std::vector<double> curvatures(result_.blades.size());
+  const Result<void> ok = parallelFor(context, int(result_.blades.size()), [&](int k) {
+    SimulatedBlade& at = result_.blades[std::size_t(k)];
+    curvatures[std::size_t(k)] = at.blade.maxCurvature();
+    if (!bent_[std::size_t(k)]) return;
+    const HeavyMargins margins = marginsOf(at.blade);
+    at.margin = margins.inPlane;
+    if (round_) at.outOfPlaneMargin = margins.outOfPlane;
+    at.crossesItself = at.blade.selfIntersects();
+  });
+  if (!ok) return ok;
+  double tightest = 0;
+  for (std::size_t i = 0; i < curvatures.size(); ++i) {
+    result_.marginMin = std::min(result_.marginMin, result_.blades[i].margin);
+    tightest = std::max(tightest, curvatures[i]);
+  }
+  if (tightest > 0) result_.minRadius = 1 / tightest;
   return {};
 }
 
@@ -295,6 +310,7 @@ Result<Simulation> Runner::run(const RunContext& context) {
       const Step<void> ok = moment(from, from == i ? 0 : double(k) / kBetween, from == i);
       if (!ok) result_.halt = ok.error();
     }
+  if (const Result<void> ok = judge(context); !ok) return tl::unexpected<Error>(ok.error());
   result_.speeds = speedsOf(result_);
   return std::move(result_);
 }
