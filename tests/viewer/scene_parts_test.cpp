@@ -9,6 +9,7 @@
 #include <random>
 
 #include "bw/scene/navigation.h"
+#include "scene/actors/grid_lines.h"
 #include "scene/actors/mesh_lines.h"
 #include "scene/camera/picking.h"
 #include "scene/legend/legend_range.h"
@@ -24,6 +25,79 @@ using namespace bw::scene;
 double luminance(const Rgb& c) {
   const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
   return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+/// A grid of level points 10 mm apart along its rows, of which row r lies at `rows[r]`.
+SurfaceGrid levelGrid(const std::vector<double>& rows, int columns) {
+  SurfaceGrid grid;
+  grid.rows = int(rows.size());
+  grid.columns = columns;
+  for (const double y : rows)
+    for (int c = 0; c < columns; ++c) grid.points.emplace_back(10.0 * c, y, 0);
+  return grid;
+}
+
+/// Rows some 10 mm apart.
+std::vector<double> unevenRows(int count) {
+  std::vector<double> rows;
+  for (int r = 0; r < count; ++r) rows.push_back(10 * r + 4 * std::sin(7.0 * r));
+  return rows;
+}
+
+KeptLines kept(const SurfaceGrid& grid, const std::vector<double>* values = nullptr, double gap = 0) {
+  return unseenLines(grid, std::vector<Eigen::Vector3d>(grid.points.size(), Eigen::Vector3d::UnitZ()), values,
+                     {0.1, 0.01, 0.5, gap});
+}
+
+TEST(UnseenLines, AreAllBetweenTheBordersOfALevelGrid) {
+  const SurfaceGrid grid = levelGrid(unevenRows(50), 20);
+  std::vector<double> values;  // that rise evenly
+  for (const Eigen::Vector3d& p : grid.points) values.push_back(0.3 * p.x() - 0.7 * p.y());
+  EXPECT_EQ(kept(grid), (KeptLines{{0, 49}, {0, 19}}));
+  EXPECT_EQ(kept(grid, &values), (KeptLines{{0, 49}, {0, 19}}));
+}
+
+TEST(UnseenLines, AreNoneThatAPlaceANormalOrAValueTells) {
+  SurfaceGrid grid = levelGrid(unevenRows(50), 20);
+  const std::size_t at = 17 * 20 + 5;
+  const KeptLines spot{{0, 16, 17, 18, 49}, {0, 4, 5, 6, 19}};
+  std::vector<double> values(grid.points.size(), 0.0);
+  values[at] = 20;
+  EXPECT_EQ(kept(grid, &values), spot);
+  values[at] = 0.4;  // which is not seen
+  EXPECT_EQ(kept(grid, &values), (KeptLines{{0, 49}, {0, 19}}));
+  std::vector<Eigen::Vector3d> normals(grid.points.size(), Eigen::Vector3d::UnitZ());
+  normals[at] = Eigen::Vector3d(0.4, 0, 1).normalized();
+  EXPECT_EQ(unseenLines(grid, normals, nullptr, {0.1, 0.01, 0, 0}), spot);
+  grid.points[at].z() = 4;
+  EXPECT_EQ(kept(grid), spot);
+  // Between lines as close as that nothing is asked.
+  EXPECT_EQ(kept(grid, nullptr, 1000), (KeptLines{{0, 49}, {0, 19}}));
+}
+
+TEST(UnseenLines, AreNoneBesideWhatIsNoNumber) {
+  for (const double none : {std::nan(""), double(INFINITY)}) {
+    SurfaceGrid grid = levelGrid(unevenRows(9), 9);
+    grid.points[4 * 9 + 4].z() = none;
+    EXPECT_EQ(kept(grid), (KeptLines{{0, 3, 4, 5, 8}, {0, 3, 4, 5, 8}}));
+    grid = levelGrid(unevenRows(9), 9);
+    std::vector<double> values(grid.points.size(), 1.0);
+    values[0] = none;
+    EXPECT_EQ(kept(grid, &values), (KeptLines{{0, 1, 8}, {0, 1, 8}}));
+  }
+}
+
+TEST(UnseenLines, LeaveThePlacesOfAWaveWhereTheyAre) {
+  SurfaceGrid grid = levelGrid(unevenRows(200), 3);
+  for (Eigen::Vector3d& p : grid.points) p.z() = 30 * std::sin(p.y() / 150);
+  const std::vector<int> rows = kept(grid).rows;
+  EXPECT_LT(rows.size(), 100u);
+  EXPECT_GT(rows.size(), 20u);
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k)
+    for (int r = rows[k] + 1; r < rows[k + 1]; ++r) {
+      const Eigen::Vector3d a = grid.at(rows[k], 1), way = grid.at(rows[k + 1], 1) - a;
+      EXPECT_LE((grid.at(r, 1) - a).cross(way).norm() / way.norm(), 0.1);
+    }
 }
 
 double spread(const Rgb& c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }

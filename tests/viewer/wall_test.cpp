@@ -138,6 +138,47 @@ TEST(WallScene, IsDrawnCoarserOnlyWhileItMoves) {
   EXPECT_LT(far, kWide * kHigh / 50) << "it shows the same but for the smoothing of edges";
 }
 
+TEST(WallScene, ShadowsOfAPictureBeforeAreThoseOfOneFromThere) {
+  Scene scene;
+  scene.setContent(test::wallContent(smallWall()));
+  Style plain, mapped, open, faded;
+  mapped[Kind::cut].map = "deviation";
+  open.section = SectionPlane{{300, 400, 0}, {0, 1, 0}};
+  faded[Kind::cut].opacity = 0.5;
+  const Camera iso = scene.fitCamera(View::iso, double(kWide) / kHigh);
+  const Camera turned = orbit(iso, iso.focus, 0.3, 0.1);
+  Style moved = open;
+  moved.section->point.y() += 150;
+  for (const auto& [style, camera] : {std::pair(&plain, iso),
+                                      {&mapped, iso},
+                                      {&plain, turned},
+                                      {&open, turned},
+                                      {&moved, turned},
+                                      {&plain, turned},
+                                      {&faded, turned},
+                                      {&mapped, turned},
+                                      {&mapped, iso}}) {
+    scene.setStyle(*style);
+    scene.setCamera(camera);
+    Scene fresh;
+    fresh.setContent(test::wallContent(smallWall()));
+    fresh.setStyle(*style);
+    fresh.setCamera(camera);
+    const Result<Picture> is = scene.render(kWide, kHigh), wanted = fresh.render(kWide, kHigh);
+    ASSERT_TRUE(is && wanted);
+    EXPECT_EQ(is->rgb, wanted->rgb);
+  }
+  // So at another size.
+  const Result<Picture> is = scene.render(kWide / 2, kHigh);
+  Scene fresh;
+  fresh.setContent(test::wallContent(smallWall()));
+  fresh.setStyle(mapped);
+  fresh.setCamera(iso);
+  const Result<Picture> wanted = fresh.render(kWide / 2, kHigh);
+  ASSERT_TRUE(is && wanted);
+  EXPECT_EQ(is->rgb, wanted->rgb);
+}
+
 TEST(WallScene, PicturesInMotionShowWhatOneFromThereWould) {
   test::WallScene wall = smallWall();
   wall.panel = {33, 7, 101, 0.5};

@@ -264,13 +264,14 @@ void Scene::Impl::renderFrame(int width, int height) {
   lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) window->SetSize(width, height);
-  window->SetMultiSamples(draft_ ? 0 : kSamples);
+  window->SetMultiSamples(draft_ ? 0 : target_->samples());
   // VTK relies on this without setting it where the context is not its own: flat parts are drawn over each
   // other at one depth.
   window->OpenGLInitContext();
   window->GetState()->Reset();
   window->GetState()->vtkglDepthFunc(kGlLessOrEqual);
   window->Render();
+  if (!draft_) target_->seeFinished();
 }
 
 Picture Scene::Impl::readPicture() const {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <future>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bw/core/base/result.h"
@@ -14,6 +16,7 @@
 namespace bw::pipeline {
 
 /// Pictures of a report, each encoded while the next one is drawn, unless all is to be done on one thread.
+/// Those of one direction show what they show at one place, so that they can be compared.
 class PictureList {
  public:
   PictureList(scene::Scene& scene, const RunContext& context) : scene_(scene), context_(context) {}
@@ -31,9 +34,13 @@ class PictureList {
     std::future<Result<std::string>> png;
   };
 
+  /// A direction, whether the picture is a parallel projection, and has a legend, which takes its room.
+  using Sight = std::tuple<scene::View, bool, bool>;
+
   scene::Scene& scene_;
   const RunContext& context_;
   std::vector<Drawn> drawn_;
+  std::map<Sight, scene::Camera> cameras_;
 };
 
 }  // namespace bw::pipeline

@@ -225,7 +225,9 @@ std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation) {
 Result<void> PictureList::add(scene::View view, bool parallel, const char* name, const char* title) {
   if (context_.stopped()) return stoppedError();
   constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
-  scene_.setCamera(scene_.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight));
+  const auto [camera, isNew] = cameras_.try_emplace({view, parallel, scene_.legendRange().has_value()});
+  if (isNew) camera->second = scene_.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight);
+  scene_.setCamera(camera->second);
   Result<scene::Picture> picture = scene_.render(kWidth, kHeight);
   if (!picture) return tl::unexpected<Error>(picture.error());
   const std::launch when = context_.threads == 1 ? std::launch::deferred : std::launch::async;

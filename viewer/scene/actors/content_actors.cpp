@@ -27,6 +27,12 @@ constexpr double kLeastSetBack = 0.1, kMostSetBack = 0.3;
 /// picture then has where the processor does the work of a graphics card.
 constexpr std::size_t kDraftTriangles = 50000;
 
+/// The size of a pixel or less, the same while the view comes nearer little by little.
+double steadyPixel(double millimetres) {
+  constexpr double kSteps = 4;  // while its size doubles
+  return std::exp2(std::floor(kSteps * std::log2(millimetres)) / kSteps);
+}
+
 /// Gives each thing its actors, and none to the actors that are left over.
 template <class Actors, class Range, class... More>
 void share(Layers& layers, std::deque<Actors>& actors, const Range& things, More... more) {
@@ -219,6 +225,7 @@ void ContentActors::setStyle(const Style& style, const Rgb& background) {
     cut.setStyle(style, background);
     cut.label(isolineLabels_, diagonal_);
     cutOpen(cut);
+    for (Part* solid : cut.solids()) solid->setCutOpen(style.section ? plane_.Get() : nullptr);
   }
   faces_.setStyle(style, background);
   cutOpen(faces_);
@@ -234,9 +241,10 @@ void ContentActors::setStyle(const Style& style, const Rgb& background) {
   }
 }
 
-std::vector<vtkSmartPointer<vtkActor>> ContentActors::solids() const {
+std::vector<vtkSmartPointer<vtkActor>> ContentActors::solids() {
   std::vector<vtkSmartPointer<vtkActor>> solids;
-  for (const CutActors& cut : cuts_) solids.emplace_back(cut.solid());
+  for (CutActors& cut : cuts_)
+    for (const Part* solid : cut.solids()) solids.emplace_back(solid->actor());
   for (const BlockActors& block : blocks_) solids.emplace_back(block.solid());
   return solids;
 }
@@ -271,7 +279,8 @@ void ContentActors::update(const Style& style, double depthPerMillimetre, double
     if (row.covered(style)) triangles += row.mesh.triangles.size();
   const int stride =
       draft ? std::max(1, int(std::ceil(std::sqrt(double(triangles) / double(kDraftTriangles))))) : 1;
-  for (CutActors& cut : cuts_) cut.update(line, stride, draft);
+  const double pixel = steadyPixel(millimetresPerPixel);
+  for (CutActors& cut : cuts_) cut.update(line, pixel, stride, draft);
   for (StationLines& stations : stations_) stations.update(style, line, millimetresPerPixel, stride, draft);
   for (BlockActors& block : blocks_) block.update(line);
 }

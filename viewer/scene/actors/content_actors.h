@@ -100,7 +100,7 @@ class ContentActors {
   void setStyle(const Style& style, const Rgb& background);
   IsolineLabels& isolineLabels() { return isolineLabels_; }
   /// What shades and is shaded.
-  std::vector<vtkSmartPointer<vtkActor>> solids() const;
+  std::vector<vtkSmartPointer<vtkActor>> solids();
   /// As given with the content.
   double diagonal() const { return diagonal_; }
   /// Of the travel arrows that are shown.

@@ -47,6 +47,10 @@ void shareField(Part& part, const Field& field, const std::vector<double>& value
   part.data()->GetPointData()->AddArray(array);
 }
 
+// What a picture does not show, in its pixels, as a part of the range of a map, and of the length of normals:
+// how far a surface, its colour and its light are off, and all that lies between two lines so close.
+constexpr double kUnseenPlace = 0.1, kUnseenShare = 1.0 / 128, kUnseenNormal = 0.008, kUnseenGap = 1;
+
 constexpr double kLeastSpacing = 9;   ///< device-independent pixels between stations
 constexpr double kDashShare = 0.008;  ///< length of a dash, in diagonals
 
@@ -97,12 +101,12 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
 
 CutActors::CutActors(Layers& layers) : table_(vtkSmartPointer<vtkLookupTable>::New()) {
   for (Part* part : {&edges_, &isolines_, &coarseLines_}) part->setFlat();
-  for (Part* part : {&surface_, &coarse_}) {
+  for (Part* part : surfaces()) {
     part->mapper()->SetLookupTable(table_);
     part->mapper()->UseLookupTableScalarRangeOn();
     part->mapper()->SetScalarModeToUsePointFieldData();
   }
-  coarse_.setVisible(false);
+  for (ThinnedSurface* thinned : {&resting_, &moving_, &solid_}) thinned->part().setVisible(false);
   for (Part* part : parts()) layers.add(Layer::cut, *part);
 }
 
@@ -112,9 +116,11 @@ void CutActors::setContent(const Row* row) {
   const TriangleMesh& mesh = row ? row->mesh : kNone;
   shareMesh(surface_.data(), mesh.points, mesh.normals, mesh.triangles);
   edges_.setSegments(boundaryEdges(mesh.points, mesh.triangles));
-  for (Part* part : {&isolines_, &coarse_, &coarseLines_}) part->clear();
+  for (Part* part : {&isolines_, &coarseLines_}) part->clear();
+  for (ThinnedSurface* thinned : {&resting_, &moving_, &solid_}) thinned->clear();
   isolined_.clear();
-  stride_ = lineStride_ = 0;
+  lineStride_ = 0;
+  pixel_ = -1;
   reach_ = 0;
   if (mesh.triangles.empty()) return;
   for (const Field& field : row->cut->grid.fields) {
@@ -127,23 +133,23 @@ void CutActors::setContent(const Row* row) {
   }
 }
 
-void CutActors::makeCoarse(int stride) {
-  stride_ = stride;
-  coarse_.clear();
-  coarseMesh_ = {};
-  coarseFields_.clear();
-  const SurfaceGrid& grid = row_->cut->grid;
-  const auto some = [stride](int count) {
-    std::vector<int> places;
-    for (int i = 0; i + 1 < count; i += stride) places.push_back(i);
-    places.push_back(count - 1);
-    return places;
-  };
-  const std::vector<int> rows = some(grid.rows), columns = some(grid.columns);
+void ThinnedSurface::clear() {
+  part_.clear();
+  mesh_ = {};
+  fields_.clear();
+  kept_ = {};
+}
+
+void ThinnedSurface::make(const Row& row, const KeptLines& kept) {
+  if (kept == kept_) return;
+  clear();
+  kept_ = kept;
+  const SurfaceGrid& grid = row.cut->grid;
+  const std::vector<int>&rows = kept.rows, &columns = kept.columns;
   std::vector<std::size_t> points;
   for (const int r : rows)
     for (const int c : columns) points.push_back(std::size_t(r) * std::size_t(grid.columns) + std::size_t(c));
-  const std::vector<double>& depths = row_->cut->depths;
+  const std::vector<double>& depths = row.cut->depths;
   const auto gone = [&](std::size_t corner) {
     return depths.size() == grid.points.size() && depths[corner] < 0;
   };
@@ -152,7 +158,7 @@ void CutActors::makeCoarse(int stride) {
     if (gone(at(0)) && gone(at(1)) && gone(at(2))) return;
     for (std::size_t k = 0; k < 3; ++k)
       if (!grid.points[at(k)].allFinite()) return;
-    coarseMesh_.triangles.push_back(t);
+    mesh_.triangles.push_back(t);
   };
   const int across = int(columns.size());
   for (int r = 0; r + 1 < int(rows.size()); ++r)
@@ -162,16 +168,16 @@ void CutActors::makeCoarse(int stride) {
       add({a, e, b});
     }
   for (const std::size_t i : points) {
-    coarseMesh_.points.push_back(row_->mesh.points[i]);
-    coarseMesh_.normals.push_back(row_->mesh.normals[i]);
+    mesh_.points.push_back(row.mesh.points[i]);
+    mesh_.normals.push_back(row.mesh.normals[i]);
   }
-  shareMesh(coarse_.data(), coarseMesh_.points, coarseMesh_.normals, coarseMesh_.triangles);
-  coarseFields_.reserve(grid.fields.size());
+  shareMesh(part_.data(), mesh_.points, mesh_.normals, mesh_.triangles);
+  fields_.reserve(grid.fields.size());
   for (const Field& field : grid.fields) {
     if (field.values.size() != grid.points.size()) continue;
-    std::vector<double>& values = coarseFields_.emplace_back();
+    std::vector<double>& values = fields_.emplace_back();
     for (const std::size_t i : points) values.push_back(field.values[i]);
-    shareField(coarse_, field, values);
+    shareField(part_, field, values);
   }
 }
 
@@ -188,13 +194,13 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
   const Field* field = shown ? row_->field() : nullptr;
   shown_ = shown;
   surface_.setVisible(shown);
-  coarse_.setVisible(false);
+  for (ThinnedSurface* thinned : {&resting_, &moving_, &solid_}) thinned->part().setVisible(false);
   edges_.setVisible(shown);
   lined_ = field && style.isolines && mapRule(field->name) != MapRule::words;
   isolines_.setVisible(lined_);
   coarseLines_.setVisible(false);
   if (!shown) return;
-  for (Part* part : {&surface_, &coarse_}) {
+  for (Part* part : surfaces()) {
     part->setOpacity(std::clamp(style.of(Kind::cut, row_->id).opacity, 0.0, 1.0));
     part->setColor(theme(style.dark).cut);
     part->mapper()->SetScalarVisibility(field != nullptr);
@@ -249,12 +255,44 @@ void CutActors::label(IsolineLabels& labels, double diagonal) const {
       lines_, [&](double level) { return tickText(level, levels_.decimals, sign); }, diagonal);
 }
 
-void CutActors::update(double line, int stride, bool draft) {
+void CutActors::findLinesAtRest(double pixel) {
+  const Field* field = row_->field();
+  const auto range = field ? row_->map->colors.range : std::pair(0.0, 0.0);
+  const std::string name = field ? field->name : std::string();
+  const double width = range.second - range.first;
+  const bool otherSize = pixel != pixel_;
+  if (!otherSize && name == pixelField_ && width == pixelRange_) return;
+  pixel_ = pixel;
+  pixelField_ = name;
+  pixelRange_ = width;
+  const SurfaceGrid& grid = row_->cut->grid;
+  const std::vector<Eigen::Vector3d>& normals = row_->mesh.normals;
+  const Unseen unseen{kUnseenPlace * pixel, kUnseenNormal, kUnseenShare * width, kUnseenGap * pixel};
+  const KeptLines all{everySoMany(grid.rows, 1), everySoMany(grid.columns, 1)};
+  // Where a part of the surface is not there, and between two words, a border would move.
+  const bool whole = std::ranges::none_of(row_->cut->depths, [](double depth) { return depth < 0; });
+  const bool words = field && mapRule(name) == MapRule::words;
+  const bool valued = field && field->values.size() == grid.points.size();
+  if (otherSize) bare_ = whole ? unseenLines(grid, normals, nullptr, unseen) : all;
+  atRest_ = !whole || words ? all : valued ? unseenLines(grid, normals, &field->values, unseen) : bare_;
+}
+
+void CutActors::update(double line, double pixel, int stride, bool draft) {
   for (Part* part : {&edges_, &isolines_, &coarseLines_}) part->setBare(draft);
-  const bool coarse = shown_ && stride > 1 && row_->mesh.normals.size() == row_->cut->grid.points.size();
-  if (coarse && stride != stride_) makeCoarse(stride);
-  surface_.setVisible(shown_ && !coarse);
-  coarse_.setVisible(coarse);
+  const bool gridded = shown_ && row_->mesh.normals.size() == row_->cut->grid.points.size();
+  const bool atRest = gridded && !draft, coarse = gridded && draft && stride > 1;
+  if (coarse) {
+    const SurfaceGrid& grid = row_->cut->grid;
+    moving_.make(*row_, {everySoMany(grid.rows, stride), everySoMany(grid.columns, stride)});
+  }
+  if (atRest) {
+    findLinesAtRest(pixel);
+    resting_.make(*row_, atRest_);
+    solid_.make(*row_, bare_);
+  }
+  surface_.setVisible(shown_ && !atRest && !coarse);
+  moving_.part().setVisible(coarse);
+  for (ThinnedSurface* thinned : {&resting_, &solid_}) thinned->part().setVisible(atRest);
   // Between two points that were left out a line may lie below the surface: not by more than that is coarser.
   if (coarse && lined_ && stride != lineStride_) makeCoarseLines(stride);
   isolines_.setVisible(lined_ && !coarse);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/actors/grid_lines.h"
 #include "scene/actors/mesh_lines.h"
 #include "scene/camera/picking.h"
 #include "scene/render/layers.h"
@@ -43,34 +44,57 @@ class IsolineLabels {
   std::vector<Place> places_;  ///< the most important first
 };
 
+/// The cut surface of a row in fewer rows and columns.
+class ThinnedSurface {
+ public:
+  Part& part() { return part_; }
+  /// Forgets what was made.
+  void clear();
+  /// Makes it of so much of the surface, unless it is that already.
+  void make(const Row& row, const KeptLines& kept);
+
+ private:
+  Part part_;
+  TriangleMesh mesh_;                        ///< VTK reads it in place
+  std::vector<std::vector<double>> fields_;  ///< and these
+  KeptLines kept_;
+};
+
 /// A cut surface with its map, its borders and its isolines.
 class CutActors {
  public:
   explicit CutActors(Layers& layers);
   /// All that it draws.
-  std::array<Part*, 5> parts() { return {&surface_, &coarse_, &edges_, &isolines_, &coarseLines_}; }
-  /// What shades and is shaded.
-  vtkActor* solid() const { return surface_.actor(); }
+  std::array<Part*, 6> parts() {
+    return {&surface_, &resting_.part(), &moving_.part(), &edges_, &isolines_, &coarseLines_};
+  }
+  /// What shades and is shaded, of which one is seen at a time.
+  std::array<Part*, 2> solids() { return {&surface_, &solid_.part()}; }
   /// Shares the arrays of the row, which stays where it is until the next call; null hides it.
   void setContent(const Row* row);
   void setStyle(const Style& style, const Rgb& background);
-  /// `line` is the depth shift that brings a line before the surface that it lies on. Of the rows and columns
-  /// of the surface every `stride`-th is drawn, and the last; so are the points of its isolines. Lines of a
-  /// `draft` are drawn bare.
-  void update(double line, int stride, bool draft);
+  /// `line` is the depth shift that brings a line before the surface that it lies on, `pixel` the size of
+  /// one, mm. Of the rows and columns of the surface so many are drawn that it looks the same; in a `draft`,
+  /// whose lines are drawn bare, every `stride`-th, and the last; so are then the points of its isolines.
+  void update(double line, double pixel, int stride, bool draft);
   /// Adds the values that stand on its isolines, if they are shown.
   void label(IsolineLabels& labels, double diagonal) const;
   /// Largest deviation, mm.
   double reach() const { return reach_; }
 
  private:
-  void makeCoarse(int stride);
+  std::array<Part*, 4> surfaces() { return {&surface_, &resting_.part(), &moving_.part(), &solid_.part()}; }
+  /// Those in which the surface looks the same, with its map and without.
+  void findLinesAtRest(double pixel);
   void makeCoarseLines(int stride);
 
-  Part surface_, coarse_, edges_, isolines_, coarseLines_;
-  TriangleMesh coarseMesh_;                        ///< VTK reads it in place
-  std::vector<std::vector<double>> coarseFields_;  ///< and these
-  int stride_ = 0, lineStride_ = 0;                ///< of `coarse_`, `coarseLines_`; 0: not made yet
+  Part surface_, edges_, isolines_, coarseLines_;
+  ThinnedSurface resting_, moving_, solid_;  ///< in fewer rows and columns; the last for shadows alone
+  int lineStride_ = 0;                       ///< of `coarseLines_`; 0: not made yet
+  KeptLines atRest_, bare_;                  ///< of what is told by these, with the map and without
+  double pixel_ = -1;                        ///< mm; below 0: not found yet
+  std::string pixelField_;
+  double pixelRange_ = 0;
   bool shown_ = false;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;

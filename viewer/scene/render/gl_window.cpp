@@ -7,17 +7,15 @@
 #include <EGL/eglext.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkImageData.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
-#include <vtkPNGWriter.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 
 #include <algorithm>
 #include <cstring>
-#include <exception>
 #include <string>
 
 #include "bw/scene/scene.h"
@@ -47,6 +45,17 @@ class OffscreenTarget : public RenderTarget {
     return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
   void doneCurrent() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+  void seeFinished() override {
+    RenderTarget::seeFinished();
+    // Nobody asks for the depths of a picture that is read back: where there is no room for them VTK does not
+    // bring them together from their samples, which costs as much as the colours.
+    vtkOpenGLFramebufferObject* shown = window()->GetDisplayFramebuffer();
+    if (!shown || !shown->GetDepthAttachmentAsTextureObject()) return;
+    window()->GetState()->PushFramebufferBindings();
+    shown->Bind();
+    shown->RemoveDepthAttachment();
+    window()->GetState()->PopFramebufferBindings();
+  }
 
  private:
   EGLDisplay display_;
@@ -117,6 +126,11 @@ RenderTarget::RenderTarget([[maybe_unused]] GlLoader loader, [[maybe_unused]] vo
   window_->SetReadyForRendering(true);
 }
 
+void RenderTarget::seeFinished() {
+  if (vtkOpenGLFramebufferObject* buffer = window_->GetRenderFramebuffer())
+    samples_ = std::min(samples_, std::max(1, buffer->GetMultiSamples()));
+}
+
 void RenderTarget::release() {
   if (makeCurrent()) window_->Finalize();
   window_->SetReadyForRendering(false);
@@ -155,40 +169,6 @@ Result<std::unique_ptr<RenderTarget>> makeOffscreenTarget() {
   if (!target->makeCurrent()) return noPicture("the EGL context cannot be used");
   target->doneCurrent();
   return target;
-}
-
-Result<std::string> pngBytes(const Picture& picture) {
-  const std::size_t row = std::size_t(std::max(0, picture.width)) * 3;
-  if (picture.width < 1 || picture.height < 1 || picture.rgb.size() != row * std::size_t(picture.height)) {
-    return fail(ErrorCode::badInput, "The picture holds " + std::to_string(picture.rgb.size()) +
-                                         " bytes, which does not fit its size of " +
-                                         std::to_string(picture.width) + " × " +
-                                         std::to_string(picture.height) + " pixels.");
-  }
-  try {
-    const auto image = vtkSmartPointer<vtkImageData>::New();
-    image->SetDimensions(picture.width, picture.height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    for (int y = 0; y < picture.height; ++y) {
-      const auto source = picture.rgb.begin() + std::ptrdiff_t(std::size_t(picture.height - 1 - y) * row);
-      std::copy(source, source + std::ptrdiff_t(row),
-                static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
-    }
-    const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
-    writer->WriteToMemoryOn();
-    constexpr int kLevel = 3;  // of nine: a tenth larger than with VTK's own five, in two thirds of the time
-    writer->SetCompressionLevel(kLevel);
-    writer->SetInputData(image);
-    writer->Write();
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-    if (!bytes || bytes->GetNumberOfValues() == 0)
-      return fail(ErrorCode::internal, "The picture could not be encoded as PNG.");
-    return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                       std::size_t(bytes->GetNumberOfValues()));
-  } catch (const std::exception& error) {
-    return fail(ErrorCode::internal,
-                std::string("The picture could not be encoded as PNG: ") + error.what() + ".");
-  }
 }
 
 }  // namespace bw::scene

@@ -28,6 +28,11 @@ class RenderTarget {
   virtual bool isCurrent() const = 0;
   virtual bool makeCurrent() = 0;
   virtual void doneCurrent() = 0;
+  /// Samples a pixel that finished pictures get here: `kSamples`, or fewer where a picture got no more.
+  int samples() const { return samples_; }
+  /// Takes in what a picture just drawn with `samples()` got: to ask for more each time would cost new
+  /// buffers each time.
+  virtual void seeFinished();
 
  protected:
   /// VTK from 9.4 on finds GL through `loader`, earlier ones by themselves; `context` must live as long.
@@ -37,6 +42,7 @@ class RenderTarget {
 
  private:
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  int samples_ = kSamples;
 };
 
 /// A window without a screen: a surfaceless EGL context of its own. Fails where the system offers none.

@@ -4,8 +4,10 @@
 #include "scene/render/shading.h"
 
 #include <vtkCamera.h>
+#include <vtkDataSet.h>
 #include <vtkLight.h>
 #include <vtkLightsPass.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpaquePass.h>
@@ -15,6 +17,8 @@
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkOverlayPass.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
@@ -25,6 +29,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "scene/theme.h"
 
@@ -163,6 +168,24 @@ bool AmbientOcclusion::prepare(vtkOpenGLRenderWindow* window, unsigned width, un
   return std::ranges::all_of(quads_, [](const auto& quad) { return quad->Program != nullptr; });
 }
 
+std::vector<double> AmbientOcclusion::causes(vtkRenderer* renderer, int width, int height) const {
+  std::vector<double> all{double(width), double(height), reach_, strength_};
+  vtkCamera* camera = renderer->GetActiveCamera();
+  for (vtkMatrix4x4* matrix :
+       {camera->GetModelViewTransformMatrix(), camera->GetProjectionTransformMatrix(renderer)})
+    all.insert(all.end(), matrix->GetData(), matrix->GetData() + 16);
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    vtkActor* actor = solids_[i];
+    if (!actor->GetVisibility() || !actor->HasOpaqueGeometry()) continue;
+    // When its surface changed last, and what is taken away of it; counts, which are whole.
+    all.insert(all.end(), {double(i), double(actor->GetMapper()->GetInput()->GetMTime())});
+    if (vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes())
+      for (int k = 0; k < planes->GetNumberOfItems(); ++k)
+        all.push_back(double(planes->GetItem(k)->GetMTime()));
+  }
+  return all;
+}
+
 void AmbientOcclusion::drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl) {
   // Colours come along; the first shadows take their place.
   buffer_->AddColorAttachment(0, shadow_);
@@ -223,19 +246,23 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
   const vtkOpenGLState::ScopedglEnableDisable blend(gl, kBlend);
   const vtkOpenGLState::ScopedglDepthMask depthMask(gl);
   const vtkOpenGLState::ScopedglBlendFuncSeparate blending(gl);
-  gl->PushFramebufferBindings();
-  buffer_->Bind();
-  gl->vtkglViewport(0, 0, width / kCoarser, height / kCoarser);
-  gl->vtkglScissor(0, 0, width / kCoarser, height / kCoarser);
-  drawDepths(renderer, gl);
+  if (std::vector<double> now = causes(renderer, width, height); now != causes_) {
+    causes_ = std::move(now);
+    gl->PushFramebufferBindings();
+    buffer_->Bind();
+    gl->vtkglViewport(0, 0, width / kCoarser, height / kCoarser);
+    gl->vtkglScissor(0, 0, width / kCoarser, height / kCoarser);
+    drawDepths(renderer, gl);
+    gl->vtkglDisable(kDepthTest);
+    gl->vtkglDisable(kBlend);
+    draw(Step::shade, renderer, smooth_);
+    buffer_->AddColorAttachment(0, smooth_);
+    draw(Step::blur, renderer, shadow_);
+    gl->PopFramebufferBindings();
+    gl->vtkglViewport(left, bottom, width, height);
+    gl->vtkglScissor(left, bottom, width, height);
+  }
   gl->vtkglDisable(kDepthTest);
-  gl->vtkglDisable(kBlend);
-  draw(Step::shade, renderer, smooth_);
-  buffer_->AddColorAttachment(0, smooth_);
-  draw(Step::blur, renderer, shadow_);
-  gl->PopFramebufferBindings();
-  gl->vtkglViewport(left, bottom, width, height);
-  gl->vtkglScissor(left, bottom, width, height);
   gl->vtkglEnable(kBlend);
   gl->vtkglDepthMask(0);
   gl->vtkglBlendFuncSeparate(kZero, kSourceColor, kZero, kOne);
@@ -245,6 +272,7 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
 void AmbientOcclusion::ReleaseGraphicsResources(vtkWindow* window) {
   if (buffer_) buffer_->ReleaseGraphicsResources(window);
   buffer_ = nullptr;
+  causes_.clear();
   for (auto* texture : {&depth_, &shadow_, &smooth_}) {
     if (*texture) (*texture)->ReleaseGraphicsResources(window);
     *texture = nullptr;

@@ -23,7 +23,8 @@ namespace bw::scene {
 /// Darkens what is drawn so far where solid things shade each other from the light of the sky. It draws the
 /// depths of the solids once more at half the resolution, compares each place with its neighbours on the
 /// screen (scalable ambient obscurance, McGuire, Mara, Luebke 2012), smooths the result and multiplies it
-/// into the picture. VTK's own pass would give up multisampling for the whole scene; this one keeps it.
+/// into the picture; where nothing changed that they hang on, the shadows of the picture before. VTK's own
+/// pass would give up multisampling for the whole scene; this one keeps it.
 class AmbientOcclusion : public vtkRenderPass {
  public:
   static AmbientOcclusion* New();
@@ -44,6 +45,8 @@ class AmbientOcclusion : public vtkRenderPass {
  private:
   enum class Step { shade, blur, multiply };
   bool prepare(vtkOpenGLRenderWindow* window, unsigned width, unsigned height);
+  /// All that the shadows hang on, as numbers.
+  std::vector<double> causes(vtkRenderer* renderer, int width, int height) const;
   void drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl);
   /// Fills what is bound by the program of a step, which reads the depths and perhaps `shadows`.
   void draw(Step step, vtkRenderer* renderer, vtkTextureObject* shadows);
@@ -52,6 +55,7 @@ class AmbientOcclusion : public vtkRenderPass {
   double reach_ = 100, strength_ = 1;
   vtkSmartPointer<vtkOpenGLFramebufferObject> buffer_;
   vtkSmartPointer<vtkTextureObject> depth_, shadow_, smooth_;
+  std::vector<double> causes_;  ///< of what `smooth_` holds; empty: nothing
   std::array<std::unique_ptr<vtkOpenGLQuadHelper>, 3> quads_;
 };
 
