@@ -4,10 +4,16 @@
 // Designs whose blade melts a kerf: the surface asked for stands, and programs carry the middle of the blade.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "bw/core/base/units.h"
+#include "bw/core/simulation/simulation.h"
+#include "bw/core/sweep/exact_coverage.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/moulds.h"
 #include "bw/pipeline/produce.h"
@@ -228,6 +234,91 @@ TEST(KerfOfADesign, KeepsToTheSideOfWhatIsCut) {
   }
   for (const Eigen::Vector3d& p : cut.result()->analysis.cut.points)
     ASSERT_LT(std::abs(sampler->offset(p, *sampler->closest(p, nullptr))), off + 2e-3);
+}
+
+/// A surface that rises by `slope` where the blade comes in, whose edge half a kerf of 6 mm moves into the
+/// block.
+Design rippled(double slope) {
+  Design design = designed("single-block", 6);
+  design.bindings.clear();
+  design.variables.clear();
+  design.grid.reset();
+  design.source().surface = DesignedSurface{
+      FormulaSurface{{{0, 0}, {400, 320}},
+                     "20 * sin(pi * x / 400) + " + std::to_string(slope * 60) + " * sin(y / 60)"},
+      {0, 0, 0},
+      {0, 0, 0}};
+  design.stock = {{}};
+  design.cuts = {design.cut()};
+  design.cut().block = design.block().id;
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 49;
+  design.blade.length = 700;
+  design.process.tolerance = 0.5;
+  return design;
+}
+
+double fromTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                    const Eigen::Vector3d& c) {
+  const Eigen::Vector3d n = (b - a).cross(c - a);
+  const auto within = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return (to - from).cross(p - from).dot(n) >= 0;
+  };
+  if (n.norm() > 0 && within(a, b) && within(b, c) && within(c, a))
+    return std::abs((p - a).dot(n)) / n.norm();
+  const auto fromSide = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    const Eigen::Vector3d way = to - from;
+    const double length = way.squaredNorm();
+    return (p - from - (length > 0 ? std::clamp(way.dot(p - from) / length, 0.0, 1.0) : 0.0) * way).norm();
+  };
+  return std::min({fromSide(a, b), fromSide(b, c), fromSide(c, a)});
+}
+
+TEST(KerfOfADesign, TheEdgeThatItMovesIntoTheBlockIsCoveredAsFarAsTheLeadCutsIt) {
+  for (const auto& [slope, covered] : {std::pair(0.3, true), {0.8, false}}) {
+    const Evaluation e = evaluated(rippled(slope));
+    const CutEvaluation& cut = e.cut();
+    const CutResult result = *cut.result();
+    const double half = 3, edge = half * slope / std::hypot(1, slope);
+    // The other route: the motion is run, and the foam is gone within half a kerf of all that the blade
+    // sweeps.
+    const FitRequest& fit = result.sweep.request;
+    const Result<Simulation> run = simulate(result.motion, fit.blade, fit.weight, {});
+    ASSERT_TRUE(run);
+    ASSERT_FALSE(run->halt);
+    const SurfaceGrid swept = run->swept();
+    const std::unique_ptr<SurfaceSampler> target = cut.target.value->sampler();
+    double off = 0;
+    for (const double x : {80.0, 200.0, 330.0})
+      for (double y = 0.1; y < edge; y += 0.2) {
+        const auto foot =
+            target->closest({x, y, 20 * std::sin(kPi * x / 400) + slope * 60 * std::sin(y / 60)}, nullptr);
+        ASSERT_TRUE(foot);
+        double nearest = 1e300;
+        for (int r = 0; r + 1 < swept.rows; ++r)
+          for (int c = 0; c + 1 < swept.columns; ++c) {
+            const Eigen::Vector3d &a = swept.at(r, c), &b = swept.at(r, c + 1), &d = swept.at(r + 1, c),
+                                  &f = swept.at(r + 1, c + 1);
+            if (std::min((foot->point - a).norm(), (foot->point - f).norm()) > 60) continue;
+            nearest =
+                std::min({nearest, fromTriangle(foot->point, a, b, f), fromTriangle(foot->point, a, f, d)});
+          }
+        off = std::max(off, std::abs(nearest - half));
+      }
+    EXPECT_EQ(off <= 0.5, covered) << off << " mm by the run, slope " << slope;
+    const double told = half * (std::hypot(1, slope) - 1);  // of a straight lead, at the face
+    EXPECT_NEAR(off, told, 0.12 + result.analysis.summary.deviationMax) << slope;
+    // The rows alone end too soon either way.
+    const std::unique_ptr<SurfaceSampler> surface = cut.target.value->sampler();
+    const Coverage rows =
+        exactCoverageOf(result.analysis.cut, result.sweep, *cut.targetMesh.value, *surface, 0.5);
+    EXPECT_NEAR(rows.distance, edge, 0.25) << slope;
+    EXPECT_EQ(result.coverage.distance <= result.coverage.limit, covered) << result.coverage.distance;
+    bool refused = false;
+    for (const Finding& finding : cut.findings())
+      refused = refused || std::holds_alternative<Uncovered>(finding.cause);
+    EXPECT_EQ(refused, !covered);
+  }
 }
 
 TEST(KerfOfADesign, NeedsToKnowWhichSideStays) {

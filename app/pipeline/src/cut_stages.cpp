@@ -513,9 +513,11 @@ Result<void> cover(const CutWork& work, double& seconds) {
       &CutEvaluation::coverage, checkRequest(work.design, work.cut), {e.analysis.value, e.targetMesh.value},
       seconds, [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
         const double back = e.middle.request.back;
-        const SurfaceGrid cut = longer(e.analysis.value->cut, back);
+        const SweepAnalysis& analysis = *e.analysis.value;
+        const SurfaceGrid cut = longer(analysis.cut, back);
         Coverage coverage = exactCoverageOf(cut, *e.sweep.value, *e.targetMesh.value,
-                                            *e.target.value->sampler(), request.tolerance, back);
+                                            *e.target.value->sampler(), request.tolerance, back,
+                                            analysis.middle.points.empty() ? nullptr : &analysis.middle);
         findings = coverage.findings;
         return coverage;
       });
