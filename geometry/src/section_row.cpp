@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "bw/core/text/number_text.h"
 #include "model_impl.h"
@@ -27,14 +28,29 @@ constexpr int kMinSamples = 96;         // of a section, before it is fitted
 constexpr int kMaxSamples = 12000;
 constexpr int kLeastBeyond = 24;  // samples of what is added to a section at one end
 
-constexpr double kInsetRatio = 1e-4;  // of the range: the first and last plane keep off the very border
+constexpr double kInsetRatio = 1e-4;  // of the range: where the target ends planes keep off its very border
 constexpr double kInset = 0.01;       // mm, at least
+constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the block may lack 1
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
 constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
 constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
 constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
+
+/// Where the row ends at a face of the block beyond which the target goes on: in it, so that the rows of
+/// neighbours meet, or beside it where it runs along a border. Empty where a plane meets no whole face.
+std::optional<std::array<double, 2>> facesOf(const PlaneFamily& planes, const Sectioner& sectioner) {
+  if (planes.turns()) return {};
+  const Frame& frame = sectioner.block().frame;
+  const Eigen::Vector3d& direction = planes.direction();
+  const auto along = [&](const Eigen::Vector3d& axis) { return std::abs(axis.dot(direction)); };
+  if (std::max({along(frame.x), along(frame.y), along(frame.normal)}) < 1 - kAlongEdge) return {};
+  const auto besides = [&](double face, double way) {
+    return sectioner.grazes(face) ? face + 2 * way * kNudge : face;
+  };
+  return std::array<double, 2>{besides(planes.entry, 1), besides(planes.exit, -1)};
+}
 
 /// The first and last place along the direction where the target lies in the block.
 Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFamily& planes,
@@ -67,6 +83,10 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFam
   }
   const double inset = std::max(kInset, kInsetRatio * (high - low));
   double first = low + inset, last = high - inset;
+  if (const auto faces = facesOf(planes, sectioner)) {
+    if (extent[0] < planes.entry - inset) first = (*faces)[0];
+    if (extent[1] > planes.exit + inset) last = (*faces)[1];
+  }
   if (sectioner.hits(first) && sectioner.hits(last)) return std::array<double, 2>{first, last};
 
   // The target leaves the block by another side, or a border is ragged: look where it begins and ends.

@@ -44,6 +44,8 @@ class Sectioner {
     if (!planes.turns()) parallel_.emplace(target, planes.direction(), block);
   }
 
+  const Box& block() const { return window_.box; }
+
   /// True if the plane meets the target within the block.
   bool hits(double level) const;
 
@@ -81,7 +83,8 @@ class Sectioner {
 };
 
 /// The row of planes of a family through a target, evenly spaced from the first to the last place where they
-/// meet it in the block. A plane is told by its number.
+/// meet it in the block: in the faces of that where the target goes on beyond them. A plane is told by its
+/// number.
 class SectionRow {
  public:
   SectionRow(const Target& target, const Setup& setup)

@@ -360,19 +360,24 @@ TEST(Joints, ThatMissBetweenTheirStationsAreMendedByMoreOfThem) {
 TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
   // One surface in two blocks along the travel.
   const FitRequest request = joinedRequest(true);
-  const auto rowOf = [&](int from, double raised) {
+  const auto rowOf = [&](int from, double raised, double inset = 0) {
     const Box box{Frame{{0, -kStep * (from + kStations - 1), -300},
                         Vector3d::UnitX(),
                         Vector3d::UnitY(),
                         Vector3d::UnitZ()},
                   {600, kStep * (kStations - 1), 700}};
+    // The first and the last one may stand a little inside of the block.
+    const auto beside = [&](int i) { return i == 0 ? inset : i + 1 == kStations ? -inset : 0; };
     auto sections = test::sectionsOf(kStations, kStep, [&](int i) {
-      const double t = (i + from) / 32.0;
+      const double t = (i + from + beside(i) / kStep) / 32.0;
       return PlanarCurve::bezier(
                  {{0, 40 * t * t}, {200, 120 + 60 * t * t}, {400, 120 - 30 * t * t}, {600, -20 * t * t}})
           ->transformed(0, 1, {0, raised});
     });
-    for (Section& section : sections) section.frame.origin.y() -= kStep * from;
+    for (Section& section : sections) {
+      section.frame.origin.y() -= kStep * from + beside(section.index);
+      section.travel += beside(section.index);
+    }
     Findings findings;
     return *buildSweep(sections, request, box, PlaneFamily::across(box, -Vector3d::UnitY()), {}, findings);
   };
@@ -387,6 +392,14 @@ TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
   ASSERT_TRUE(off);
   ASSERT_EQ(off->joints.size(), 1u);
   EXPECT_NEAR(off->gapMax(), 0.4, 0.05);
+  // Rows that end before their boundary leave a slit, however well they would meet there.
+  const Sweep before = rowOf(0, 0, 0.08), behind = rowOf(kStations - 1, 0, 0.08);
+  const Result<Joints> slit = measureJoints({{"a", "a", &before}, {"b", "b", &behind}}, {}, {});
+  ASSERT_TRUE(slit);
+  ASSERT_EQ(slit->joints.size(), 1u);
+  EXPECT_NEAR(slit->gapMax(), 0.16, 0.01);
+  EXPECT_TRUE(test::findingOf<JointGap>(slit->findings));
+  EXPECT_NEAR(measureJoints({{"b", "b", &behind}, {"a", "a", &first}}, {}, {})->gapMax(), 0.08, 0.01);
 }
 
 /// Rows of straight blades in two layers that meet in z = 0: of z = `rise` · travel − 160 + `askew` · x below

@@ -104,7 +104,9 @@ struct Pair {
 };
 
 /// Notes how a place of one surface meets the lines of the other one; true if they have one near to it.
-bool meet(const Crossing& at, const std::vector<sweep::CrossingLine>& lines, double farthest, Joint& joint) {
+/// `slit`: mm of the way from one to the other that neither has.
+bool meet(const Crossing& at, const std::vector<sweep::CrossingLine>& lines, double farthest, Joint& joint,
+          double slit = 0) {
   const Vector3d& p = at.point;
   double nearest = 1e300, share = 0;
   const Crossing *from = nullptr, *to = nullptr;
@@ -129,7 +131,7 @@ bool meet(const Crossing& at, const std::vector<sweep::CrossingLine>& lines, dou
   const double sag = share * (1 - share) * 0.5 * (to->point - from->point).dot(t1 - t0);
   const double stands = at.stands * at.normal.dot(normal) - std::lerp(from->stands, to->stands, share);
   const double gap = std::abs((p - foot).dot(normal) - sag + stands);
-  note(joint, gap, between(at.normal, normal), p, true);
+  note(joint, std::hypot(gap, slit), between(at.normal, normal), p, true);
   return true;
 }
 
@@ -298,9 +300,11 @@ void inLine(Pair& pair) {
   const Vector3d& direction = pair.mine.sweep.planes.direction();
   const bool forwards = direction.dot(boundary.normal) > 0;
   const double level = pair.mine.sweep.planes.level(boundary.point);
+  const auto ends = [&](const Sweep& sweep, bool front) {
+    return levelOf(sweep, front ? sweep.poses.front() : sweep.poses.back());
+  };
   const auto reaches = [&](const Sweep& sweep, bool front) {
-    return std::abs(levelOf(sweep, front ? sweep.poses.front() : sweep.poses.back()) - level) <=
-           0.5 * boundary.apart + sweep::kNearBoundary;
+    return std::abs(ends(sweep, front) - level) <= 0.5 * boundary.apart + sweep::kNearBoundary;
   };
   const bool one = reaches(pair.mine.sweep, !forwards), other = reaches(pair.theirs.sweep, forwards);
   if (!one && !other) return;
@@ -313,8 +317,12 @@ void inLine(Pair& pair) {
       pair.lacks(boundary.point);
     return;
   }
+  // What is handed over ends with the rows, which may stop before their blocks do.
+  const double way = (forwards ? 1 : -1) *
+                     (ends(pair.theirs.sweep, forwards) - ends(pair.mine.sweep, !forwards)),
+               slit = std::max(0.0, way - boundary.apart);
   constexpr double kAnywhere = 1e300;
-  for (const Crossing& place : *x) meet(place, {*y}, kAnywhere, pair.joint);
+  for (const Crossing& place : *x) meet(place, {*y}, kAnywhere, pair.joint, slit);
 }
 
 }  // namespace
