@@ -13,7 +13,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/simulation/simulation.h"
-#include "bw/core/sweep/exact_coverage.h"
+#include "bw/core/sweep/coverage.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/moulds.h"
 #include "bw/pipeline/produce.h"
@@ -311,7 +311,7 @@ TEST(KerfOfADesign, TheEdgeThatItMovesIntoTheBlockIsCoveredAsFarAsTheLeadCutsIt)
     // The rows alone end too soon either way.
     const std::unique_ptr<SurfaceSampler> surface = cut.target.value->sampler();
     const Coverage rows =
-        exactCoverageOf(result.analysis.cut, result.sweep, *cut.targetMesh.value, *surface, 0.5);
+        coverageOf(result.analysis.cut, result.sweep, *cut.targetMesh.value, {0.5, 0, surface.get()});
     EXPECT_NEAR(rows.distance, edge, 0.25) << slope;
     EXPECT_EQ(result.coverage.distance <= result.coverage.limit, covered) << result.coverage.distance;
     bool refused = false;

@@ -570,7 +570,7 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
       test::sectionsOf(9, 10, [](int) { return test::graphCurve(100, [](double) { return 0.0; }); }), {},
       block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep);
-  const auto look = [&](const TriangleMesh& target) { return coverageOf(flatCut(), *sweep, target, 2); };
+  const auto look = [&](const TriangleMesh& target) { return coverageOf(flatCut(), *sweep, target, {2}); };
 
   const Coverage whole = look(rectangle(-100, 100, -80, 0));
   EXPECT_NEAR(whole.area, 16000, 1e-6);
@@ -586,7 +586,7 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_EQ(off.share(), 0);
   ASSERT_EQ(off.findings.size(), 1u);
   EXPECT_EQ(std::get<Uncovered>(off.findings[0].cause).where, Uncovered::Where::off);
-  EXPECT_EQ(coverageOf(flatCut(), *sweep, lifted, 2, 30).share(), 1) << "asked to stand back so far";
+  EXPECT_EQ(coverageOf(flatCut(), *sweep, lifted, {2, 30}).share(), 1) << "asked to stand back so far";
   for (Vector3d& p : lifted.points) p.z() = 1.9;
   EXPECT_EQ(look(lifted).share(), 1) << "within the tolerance";
   EXPECT_LT(look(lifted).distance, 1e-9);
@@ -603,7 +603,7 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   for (Vector3d& p : steep.points) p.z() = -4 * p.y() / 8;
   TriangleMesh beneath = rectangle(-100, 100, -80, 0);
   for (Vector3d& p : beneath.points) p.z() = -4 * p.y() / 8 - 2.1;
-  EXPECT_EQ(coverageOf(steep, *sweep, beneath, 2).share(), 1) << 2.1 / std::hypot(1, 0.5);
+  EXPECT_EQ(coverageOf(steep, *sweep, beneath, {2}).share(), 1) << 2.1 / std::hypot(1, 0.5);
 
   const Coverage beside = look(rectangle(-100, 140, -80, 0));
   EXPECT_NEAR(beside.distance, 40, 1e-9);

@@ -15,7 +15,6 @@
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/entry_exit.h"
-#include "bw/core/sweep/exact_coverage.h"
 #include "bw/core/sweep/joints.h"
 #include "bw/core/sweep/kerf_field.h"
 #include "bw/core/sweep/live_row.h"
@@ -151,14 +150,14 @@ TEST(TurningRow, CoversWhatItsBladesPass) {
   };
   TriangleMesh inside{{at(-100, -20), at(100, -20), at(0, 40)}, {}, {{0, 1, 2}}};
   test::SphereSampler sphere(kRadius), larger(kRadius + 10);
-  EXPECT_TRUE(exactCoverageOf(made.analysis.cut, made.sweep, inside, sphere, 1).findings.empty());
+  EXPECT_TRUE(coverageOf(made.analysis.cut, made.sweep, inside, {1, 0, &sphere}).findings.empty());
   // The same 10 mm farther out is off the cut by these, in whatever plane the nearest of it lies.
-  const Coverage off = exactCoverageOf(made.analysis.cut, made.sweep, inside, larger, 1);
+  const Coverage off = coverageOf(made.analysis.cut, made.sweep, inside, {1, 0, &larger});
   ASSERT_EQ(off.findings.size(), 1u);
   EXPECT_EQ(std::get<Uncovered>(off.findings[0].cause).where, Uncovered::Where::off);
   EXPECT_NEAR(off.distance, 10, 0.2);
   TriangleMesh before{{at(200, -190), at(220, -190), at(210, -170)}, {}, {{0, 1, 2}}};
-  const Coverage missed = coverageOf(made.analysis.cut, made.sweep, before, 1);
+  const Coverage missed = coverageOf(made.analysis.cut, made.sweep, before, {1});
   EXPECT_FALSE(missed.findings.empty());
   const Frame& first = made.sweep.poses.front().frame;
   EXPECT_NEAR(missed.distance, -first.toLocal(at(200, -190)).z(), 2) << "mm, across the first plane";

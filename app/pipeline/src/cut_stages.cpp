@@ -15,7 +15,7 @@
 #include "bw/core/shape/moved_sections.h"
 #include "bw/core/simulation/run_findings.h"
 #include "bw/core/simulation/run_kerf.h"
-#include "bw/core/sweep/exact_coverage.h"
+#include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/firm_row.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
@@ -515,9 +515,10 @@ Result<void> cover(const CutWork& work, double& seconds) {
         const double back = e.middle.request.back;
         const SweepAnalysis& analysis = *e.analysis.value;
         const SurfaceGrid cut = longer(analysis.cut, back);
-        Coverage coverage = exactCoverageOf(cut, *e.sweep.value, *e.targetMesh.value,
-                                            *e.target.value->sampler(), request.tolerance, back,
-                                            analysis.middle.points.empty() ? nullptr : &analysis.middle);
+        const std::unique_ptr<SurfaceSampler> surface = e.target.value->sampler();
+        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value,
+                                       {request.tolerance, back, surface.get(),
+                                        analysis.middle.points.empty() ? nullptr : &analysis.middle});
         findings = coverage.findings;
         return coverage;
       });

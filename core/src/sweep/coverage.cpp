@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/sweep/exact_coverage.h"
 #include "sweep/surface_rows.h"
 
 namespace bw {
@@ -102,18 +101,21 @@ class Leads {
   int more_;
 };
 
-/// `surface`: that of the target; null where that is its triangles.
-Coverage coverageOn(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target,
-                    SurfaceSampler* surface, double tolerance, double back, const SurfaceGrid* middle) {
+}  // namespace
+
+Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
+                    const CoverageRequest& request) {
   Coverage coverage;
-  coverage.limit = std::max(tolerance, kBorder);
+  coverage.limit = std::max(request.tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
-  const sweep::SurfaceRows rows(cut, row.planes);
+  const sweep::SurfaceRows rows(cut, sweep.planes);
   std::optional<Leads> leads;
-  if (middle && middle->rows == cut.rows) leads.emplace(cut, *middle, row.planes, back);
+  // Where planes turn leads go on in ways of their own.
+  if (request.middle && request.middle->rows == cut.rows && !sweep.planes.turns())
+    leads.emplace(cut, *request.middle, sweep.planes, request.back);
   bool lies = false;  // off what is cut, where it is farthest, not beyond its border
   const auto see = [&](const Vector3d& place, double area) {
-    if (!within(row.block, place)) return;
+    if (!within(sweep.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
     double beyond = std::hypot(seen.across, seen.beside);
     if (leads && beyond > coverage.limit && seen.beside <= coverage.limit &&
@@ -121,13 +123,14 @@ Coverage coverageOn(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
       beyond = seen.beside;
     // Along the plane it is farther from a surface that rises across it than in truth.
     double off = 0;
-    const double may = coverage.limit + kChords + std::abs(back);
+    const double may = coverage.limit + kChords + std::abs(request.back);
     if (beyond <= coverage.limit && seen.distance > may) {
       Vector3d truly = place;
-      if (surface)
-        if (const Result<SurfaceSampler::Foot> foot = surface->closest(place, nullptr)) truly = foot->point;
+      if (request.surface)
+        if (const Result<SurfaceSampler::Foot> foot = request.surface->closest(place, nullptr))
+          truly = foot->point;
       const double apart = rows.distance(truly, std::hypot(seen.distance, beyond) + (truly - place).norm());
-      if (apart > std::hypot(may, beyond)) off = apart - std::abs(back);
+      if (apart > std::hypot(may, beyond)) off = apart - std::abs(request.back);
     }
     coverage.area += area;
     const double missed = std::max(beyond, off);
@@ -161,22 +164,10 @@ Coverage coverageOn(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
   }
   if (coverage.distance > coverage.limit)
     coverage.findings.push_back({Severity::error,
-                                 causeOf(coverage, row, lies),
+                                 causeOf(coverage, sweep, lies),
                                  {{}, coverage.point},
                                  {TurnDirection{}, CutInParts{}}});
   return coverage;
-}
-
-}  // namespace
-
-Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target, double tolerance,
-                    double back) {
-  return coverageOn(cut, sweep, target, nullptr, tolerance, back, nullptr);
-}
-
-Coverage exactCoverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
-                         SurfaceSampler& surface, double tolerance, double back, const SurfaceGrid* middle) {
-  return coverageOn(cut, sweep, target, &surface, tolerance, back, middle);
 }
 
 }  // namespace bw

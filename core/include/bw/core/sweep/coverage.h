@@ -6,6 +6,7 @@
 
 #include "bw/core/base/finding.h"
 #include "bw/core/surface/mesh.h"
+#include "bw/core/surface/surface_sampler.h"
 #include "bw/core/sweep/sweep.h"
 
 namespace bw {
@@ -22,13 +23,25 @@ struct Coverage {
   double share() const { return area > 0 ? 1 - uncovered / area : 1; }
 };
 
+/// How a target is held against what is cut.
+struct CoverageRequest {
+  double tolerance = 0;  ///< mm
+  double back = 0;       ///< mm that what stands is to keep from the target
+  /// The target itself, where its triangles lie off it by so much that it matters: a place that they have off
+  /// the cut is taken where this has it. Null where it is its triangles.
+  SurfaceSampler* surface = nullptr;
+  /// What the middle of the blade sweeps, of the same rows, where a kerf parts it from the cut surface; else
+  /// null. Beside the outer rows, as far as half a kerf may move their edges, what the leads leave counts: a
+  /// place that lies within the limit of that is covered.
+  const SurfaceGrid* middle = nullptr;
+};
+
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
 /// the last station, or beyond the ends of the blade's cut in its own plane, is not covered, nor is what no
-/// cut surface comes near to (docs/mathematics.md, coverage). Beyond `limit` an error tells it: the tolerance
-/// (mm), but half a mm at least, since the outer stations keep a little off the border and the leads cut on.
-/// `cut`: rows along the blade, each in a plane of the sweep's family, in the order of travel, which is to
-/// stand back from the target by `back` mm.
+/// cut surface comes near to (docs/mathematics.md, coverage). Beyond the limit an error tells it: the
+/// tolerance, but half a mm at least, since the outer stations keep a little off the border and the leads cut
+/// on. `cut`: rows along the blade, each in a plane of the sweep's family, in the order of travel.
 [[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
-                                  double tolerance, double back = 0);
+                                  const CoverageRequest& request);
 
 }  // namespace bw
