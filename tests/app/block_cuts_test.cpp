@@ -100,6 +100,30 @@ TEST(BlockCuts, ErrorsNameTheCutThatTheyAreOf) {
       << outcome.error->message;
 }
 
+TEST(BlockCuts, AFaceThatIsNotThereIsToldOfItsCut) {
+  Design design = crossing();
+  design.cuts.back().face = {FaceChoice::Kind::indices, {7}};
+  const Outcome one = evaluate(design, nullptr, {});
+  ASSERT_TRUE(one.error);
+  EXPECT_EQ(one.error->message.find(design.cuts.back().id + ": "), 0u) << one.error->message;
+}
+
+TEST(BlockCuts, WhatTheCellCannotDoIsToldOfItsCut) {
+  // Turned by a half more, its left end lies on the side of the right robot.
+  Design design = crossing();
+  design.variables.clear();
+  design.cuts.back().pose.quarters = 3;
+  design.output.programs = {"rapid"};
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  int seen = 0;
+  for (const Finding& finding : outcome.evaluation.cell.findings) {
+    EXPECT_FALSE(finding.where.cut.empty()) << words::sentence(finding, words::Reader::window);
+    ++seen;
+  }
+  EXPECT_GT(seen, 0);
+}
+
 TEST(BlockCuts, WhatMeetsNothingIsDroppedWithAMessage) {
   Design design = crossing();
   addFlat(design, "lid", 480);

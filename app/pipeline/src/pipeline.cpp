@@ -142,13 +142,13 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                    if (!cell || !forRobots(asked.output.programs)) return cell;
                                    for (const BlockEvaluation& block : e.blocks)
                                      for (const CutEvaluation& cut : block.cuts) {
-                                       append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
-                                       Findings low = lowInCell(cut, *cell);
-                                       for (Finding& finding : low) {
+                                       Findings own = robotio::checkPlacement(*cut.motion.value, *cell);
+                                       append(own, lowInCell(cut, *cell));
+                                       for (Finding& finding : own) {
                                          if (e.blocks.size() > 1) finding.where.block = block.id;
                                          if (block.cuts.size() > 1) finding.where.cut = cut.id;
                                        }
-                                       append(findings, low);
+                                       append(findings, own);
                                      }
                                    return cell;
                                  });
@@ -257,7 +257,11 @@ Result<void> aimAll(const Design& design, Evaluation& e, const Evaluation* previ
       const CutWork work{design, cut, stages, before, e.seconds, context, Purpose::live};
       Result<void> ok = aim(work, source);
       if (ok && several) ok = meshTarget(stages, before, e.seconds.read);
-      if (!ok) return ok;
+      // Of what all cuts share none is named.
+      const bool shared = std::ranges::all_of(design.cuts, [&cut](const Cut& other) {
+        return other.source == cut.source && other.face == cut.face;
+      });
+      if (!ok) return shared ? ok : inCut(e, cut, ok);
       aimed.push_back(&stages);
     }
   if (e.blocks.size() > 1)
