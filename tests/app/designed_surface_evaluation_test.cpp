@@ -61,12 +61,10 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
 TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   Design design = exampleDesign("bump").value();
   design.output.programs.clear();
-  const double lowest = [&] {
-    double least = 1e300;
-    for (const StationCheck& station : evaluated(design).cut().check.value->stations)
-      least = std::min(least, station.aboveBottom);
-    return least;
-  }();
+  const Evaluation whole = evaluated(design);
+  double lowest = 1e300;
+  for (const StationCheck& station : whole.cut().check.value->stations)
+    lowest = std::min(lowest, station.aboveBottom);
   design.process.floor = lowest + 1;
   const Findings told = evaluated(design).findings();
   EXPECT_TRUE(std::ranges::any_of(told, [](const Finding& f) { return f.kind() == FindingKind::floor; }));
@@ -76,6 +74,7 @@ TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   // A block that reaches as much lower as the message tells keeps it.
   design.process.floor = lowest + 1;
   const auto low = std::ranges::find(told, FindingKind::floor, &Finding::kind);
+  ASSERT_NE(low, told.end());
   const NearBottom cause = std::get<NearBottom>(low->cause);
   EXPECT_EQ(cause.lower, NearBottom::Lower::keeps);
   EXPECT_EQ(cause.lowerBy, 1);
