@@ -16,8 +16,8 @@ enum class Reader { commandLine, window };
 /// the rule, "rapid-rule-13".
 std::string kindWord(const Finding& finding);
 
-/// The block and the cut of a place, as they stand before a sentence: "block-2, north". Empty where neither is
-/// named.
+/// The block and the cut of a place, as they stand before a sentence: "block-2, north". Empty where neither
+/// is named.
 std::string partName(const Place& place);
 
 /// Where it is: "station 8", "end of the cut", a file. Empty where it has no place.
