@@ -60,6 +60,7 @@ constexpr std::size_t kMostLooked = 1000;   // points of what is left that are h
 constexpr double kAside = 0.01;             // mm that a knife gives way where it seems to part films alone
 constexpr double kFilm = 0.1;               // mm, of mean thickness: what no blade leaves of the foam
 constexpr double kReach = 1e-3;             // mm: what reaches so far over a cut is no rounding
+constexpr double kLoosest = 0.05;           // mm, likewise where edges lie off their faces
 constexpr double kBeside = 0.05;            // sine of the angle to a surface below which a point is beside it
 constexpr double kDeflection = 1.0 / 2000;  // of the block's diagonal, for display
 
@@ -419,13 +420,18 @@ class Carving {
                         pointText(points[i]) +
                         ", where OpenCASCADE misses an intersection; move it by a little",
                     last.id());
+    // Where two surfaces bend apart, edges lie off them by as much as they say.
+    double reach = kReach;
+    for (const Piece& piece : pieces)
+      reach = std::max(reach, BRep_Tool::MaxTolerance(piece.solid, TopAbs_EDGE));
+    reach = std::min(reach, kLoosest);
     for (const Knife& knife : knives_) {
       SurfaceSampler::Foot foot;
       for (std::size_t i = 0; i < points.size(); i += step) {
         const Result<Knife::Place> place = knife.place(points[i], i > 0 ? &foot : nullptr);
         if (!place) return tl::unexpected(place.error());
         foot = place->foot;
-        if (place->height < -kReach && !place->beside() && inBlock(foot.point))
+        if (place->height < -reach && !place->beside() && inBlock(foot.point))
           return bothSides(last, points[i]);
       }
     }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "bw/core/text/number_text.h"
@@ -34,22 +36,57 @@ constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the b
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
 constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
-constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
+constexpr int kProbePlanes = 64;      // looked at for what holds of all
 constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
-/// Where the row ends at a face of the block beyond which the target goes on: in it, so that the rows of
-/// neighbours meet, or beside it where it runs along a border. Empty where a plane meets no whole face.
-std::optional<std::array<double, 2>> facesOf(const PlaneFamily& planes, const Sectioner& sectioner) {
-  if (planes.turns()) return {};
-  const Frame& frame = sectioner.block().frame;
-  const Eigen::Vector3d& direction = planes.direction();
-  const auto along = [&](const Eigen::Vector3d& axis) { return std::abs(axis.dot(direction)); };
-  if (std::max({along(frame.x), along(frame.y), along(frame.normal)}) < 1 - kAlongEdge) return {};
-  const auto besides = [&](double face, double way) {
-    return sectioner.grazes(face) ? face + 2 * way * kNudge : face;
-  };
-  return std::array<double, 2>{besides(planes.entry, 1), besides(planes.exit, -1)};
+/// The middle, as a share of the way, of what of the straight line between two places lies in a box, if any.
+std::optional<double> shareIn(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector3d from = box.frame.toLocal(a), way = box.frame.toLocal(b) - from;
+  double first = 0, last = 1;
+  for (int k = 0; k < 3; ++k) {
+    if (way[k] == 0) {
+      if (from[k] < 0 || from[k] > box.size[k]) return {};
+      continue;
+    }
+    const double low = -from[k] / way[k], high = (box.size[k] - from[k]) / way[k];
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  if (first > last) return {};
+  return std::midpoint(first, last);
+}
+
+Box grown(Box box, double by) {
+  box.frame.origin -= by * (box.frame.x + box.frame.y + box.frame.normal);
+  box.size.array() += 2 * by;
+  return box;
+}
+
+/// The axes of a block, as its sizes are ordered.
+std::array<Eigen::Vector3d, 3> axesOf(const Box& block) {
+  return {block.frame.x, block.frame.y, block.frame.normal};
+}
+
+/// The box in which the planes between the block's first and its last one go through a window.
+Box regionOf(const PlaneFamily& planes, const BlockWindow& window) {
+  Box region = window.box;
+  if (window.endless < 0) return region;
+  const Eigen::Vector3d axis = axesOf(region)[std::size_t(window.endless)];
+  double low = 0, high = region.size[window.endless];
+  for (int k = 0; k <= kProbePlanes; ++k) {
+    const Frame plane = planes.at(std::lerp(planes.entry, planes.exit, double(k) / kProbePlanes));
+    for (const Eigen::Vector3d& corner : window.box.corners()) {
+      const double at = axis.dot(corner - region.frame.origin) +
+                        plane.normal.dot(plane.origin - corner) / plane.normal.dot(axis);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+  }
+  const double aside = (high - low) / kProbePlanes;  // of planes between those that were looked at
+  region.frame.origin += (low - aside) * axis;
+  region.size[window.endless] = high - low + 2 * aside;
+  return region;
 }
 
 /// The first and last place along the direction where the target lies in the block.
@@ -82,18 +119,27 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFam
                 "direction", high - low, 4 * kInset);
   }
   const double inset = std::max(kInset, kInsetRatio * (high - low));
-  double first = low + inset, last = high - inset;
-  if (const auto faces = facesOf(planes, sectioner)) {
-    if (extent[0] < planes.entry - inset) first = (*faces)[0];
-    if (extent[1] > planes.exit + inset) last = (*faces)[1];
-  }
-  if (sectioner.hits(first) && sectioner.hits(last)) return std::array<double, 2>{first, last};
+  // A plane that meets the block at a corner alone does so by rounding.
+  const double slack = sectioner.slanted() ? inset : 0;
+  const auto goesOn = [&](double face, double way) {
+    if (sectioner.slanted()) return sectioner.hits(face + way * inset, 3 * inset);
+    return way < 0 ? extent[0] < face - inset : extent[1] > face + inset;
+  };
+  // Where the target goes on beyond the block the row ends in its face, so that the rows of neighbours meet,
+  // or beside it where it runs along a border.
+  const auto besides = [&](double face, double way) {
+    return sectioner.grazes(face) ? face - 2 * way * kNudge : face;
+  };
+  const double first = goesOn(planes.entry, -1) ? besides(planes.entry, -1) : low + inset,
+               last = goesOn(planes.exit, 1) ? besides(planes.exit, 1) : high - inset;
+  const auto hits = [&](double level) { return sectioner.hits(level, slack); };
+  if (hits(first) && hits(last)) return std::array<double, 2>{first, last};
 
   // The target leaves the block by another side, or a border is ragged: look where it begins and ends.
   double a = 1e300, b = -1e300;
   for (int k = 0; k <= kProbePlanes; ++k) {
     const double level = first + (last - first) * k / kProbePlanes;
-    if (!sectioner.hits(level)) continue;
+    if (!hits(level)) continue;
     a = std::min(a, level);
     b = std::max(b, level);
   }
@@ -101,7 +147,7 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFam
   const auto bisect = [&](double hit, double miss) {
     for (int k = 0; k < kBisections && std::abs(miss - hit) > 0.5 * inset; ++k) {
       const double middle = 0.5 * (hit + miss);
-      (sectioner.hits(middle) ? hit : miss) = middle;
+      (hits(middle) ? hit : miss) = middle;
     }
     return hit;
   };
@@ -191,22 +237,50 @@ Result<void> checkSetup(const Setup& setup) {
   return {};
 }
 
+BlockWindow windowOf(const PlaneFamily& planes, const Box& block) {
+  const Eigen::Vector3d along = block.frame.toLocal(block.frame.origin + planes.direction()).cwiseAbs();
+  BlockWindow window{block};
+  if (!planes.turns() && along.maxCoeff() > 1 - kAlongEdge) return window;
+  along.cwiseProduct(block.size).maxCoeff(&window.endless);
+  return window;
+}
+
+Sectioner::Sectioner(const Target::Impl& target, const BlockWindow& window, const PlaneFamily& planes)
+    : target_(target),
+      planes_(planes),
+      region_(regionOf(planes, window)),
+      window_(window),
+      block_{window.box} {
+  if (!planes.turns()) parallel_.emplace(target, planes.direction(), region_);
+}
+
 Sectioner::Cutting Sectioner::at(double level) const {
   if (parallel_) return {{}, &*parallel_, level};
   const Frame plane = planes_.at(level);
-  auto own = std::make_shared<const PlaneCutter>(target_, plane.normal, window_.box);
+  auto own = std::make_shared<const PlaneCutter>(target_, plane.normal, region_);
   const PlaneCutter* cutter = own.get();
   return {std::move(own), cutter, plane.normal.dot(plane.origin)};
 }
 
-bool Sectioner::hits(double level) const {
+bool Sectioner::hits(double level, double slack) const {
+  const BlockWindow block{grown(block_.box, slack)};
   const Cutting cutting = at(level);
   const PlaneCutter::Cut cut = cutting.cutter->cut(cutting.level);
   for (const LevelPiece& piece : cut.pieces) {
     for (const LevelNode& node : piece.nodes) {
-      if (window_.outside(node.p) <= 0) return true;
+      if (block.holds(node.p)) return true;
     }
   }
+  // A corner of the block may come between two nodes.
+  for (const LevelPiece& piece : cut.pieces)
+    for (std::size_t k = piece.closed ? 0 : 1; k < piece.nodes.size(); ++k) {
+      const LevelNode &a = piece.nodes[k > 0 ? k - 1 : piece.nodes.size() - 1], &b = piece.nodes[k];
+      const std::optional<double> share = shareIn(block.box, a.p, b.p);
+      LevelNode node;
+      if (share && cutting.cutter->between(piece.face, a, b, *share, cutting.level, node) &&
+          block.holds(node.p))
+        return true;
+    }
   return false;
 }
 
@@ -254,10 +328,15 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
         speck = std::max(speck, length);
         continue;
       }
-      outcome.found += length;
       parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
     }
   }
+  // Where the block is prolonged, what stays beside it does not count, unless that is all.
+  const auto comesIn = [&](const Part& part) {
+    return std::ranges::any_of(part.samples, [&](const SectionSample& s) { return block_.holds(s.node.p); });
+  };
+  if (slanted() && std::ranges::any_of(parts, comesIn)) std::erase_if(parts, std::not_fn(comesIn));
+  for (const Part& part : parts) outcome.found += part.length;
   outcome.curves = int(parts.size());
   if (parts.empty()) {
     tell(Severity::warning, speck > 0 ? Cause(SectionPoint{}) : Cause(SectionMissing{}), frame.origin);
@@ -356,9 +435,7 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     if (last) std::ranges::reverse(samples);
     const bool up = xOf(samples.front().node) > xOf(samples.back().node);
     const auto left = [&](const LevelNode& node) { return up ? high - xOf(node) : xOf(node) - low; };
-    const auto within = [&](const LevelNode& node) {
-      return left(node) >= 0 && window_.outside(node.p) <= 0;
-    };
+    const auto within = [&](const LevelNode& node) { return left(node) >= 0 && window_.holds(node.p); };
     const auto at = [&](const SectionSample& a, const SectionSample& b, double part) {
       SectionSample sample = b;
       if (!cutting.cutter->between(b.face, a.node, b.node, part, cutting.level, sample.node)) sample = a;

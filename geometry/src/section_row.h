@@ -35,19 +35,23 @@ struct SectionOutcome {
   bool followed() const { return section && section->chosen >= 0; }
 };
 
-/// Cuts a target with the planes of a family, each to one open spline inside the block. Keeps references to
+/// The window of sections in a block. Where planes leave it across its corners it is the block prolonged
+/// along one axis, so that the corner between two planes lies between the ends of their sections, and these
+/// are about as long all along the row: along the axis that makes them no longer than the longest in the
+/// block.
+[[nodiscard]] BlockWindow windowOf(const PlaneFamily& planes, const Box& block);
+
+/// Cuts a target with the planes of a family, each to one open spline inside a window. Keeps references to
 /// `target` and `planes`. Immutable; cuts from several threads are safe.
 class Sectioner {
  public:
-  Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes)
-      : target_(target), planes_(planes), window_{block} {
-    if (!planes.turns()) parallel_.emplace(target, planes.direction(), block);
-  }
+  Sectioner(const Target::Impl& target, const BlockWindow& window, const PlaneFamily& planes);
 
-  const Box& block() const { return window_.box; }
+  /// True where planes leave the block across its corners.
+  bool slanted() const { return window_.endless >= 0; }
 
-  /// True if the plane meets the target within the block.
-  bool hits(double level) const;
+  /// True if the plane meets the target within the block, or no farther beside it than `slack` mm.
+  bool hits(double level, double slack = 0) const;
 
   /// True if the plane runs along a border or a plane face; `cut` then moves it a little.
   bool grazes(double level) const {
@@ -78,8 +82,9 @@ class Sectioner {
 
   const Target::Impl& target_;
   const PlaneFamily& planes_;
+  Box region_;                           ///< where sections may go
   std::optional<PlaneCutter> parallel_;  ///< none where planes turn
-  BlockWindow window_;
+  BlockWindow window_, block_;
 };
 
 /// The row of planes of a family through a target, evenly spaced from the first to the last place where they
@@ -88,7 +93,7 @@ class Sectioner {
 class SectionRow {
  public:
   SectionRow(const Target& target, const Setup& setup)
-      : planes_(setup.planes), sectioner_(target.impl(), setup.block, planes_) {}
+      : planes_(setup.planes), sectioner_(target.impl(), windowOf(planes_, setup.block), planes_) {}
   SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
 
   /// Finds where the row begins and ends: at first, and once.

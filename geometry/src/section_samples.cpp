@@ -115,19 +115,19 @@ std::vector<SectionSample> sampleBranch(const PlaneCutter& cutter, const Section
 std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
                                                     std::vector<SectionSample> samples, bool closed,
                                                     double level, const BlockWindow& window, bool& cut) {
-  std::vector<double> h;
-  h.reserve(samples.size());
-  for (const SectionSample& s : samples) h.push_back(window.outside(s.node.p));
-  cut = std::any_of(h.begin(), h.end(), [](double x) { return x > 0; });
+  std::vector<char> held;
+  held.reserve(samples.size());
+  for (const SectionSample& s : samples) held.push_back(window.holds(s.node.p));
+  cut = std::ranges::find(held, 0) != held.end();
   if (!cut) return {std::move(samples)};
   if (closed) {  // begin outside, so that no part is broken at the arbitrary start
     samples.pop_back();
-    h.pop_back();
-    const auto out = std::find_if(h.begin(), h.end(), [](double x) { return x > 0; }) - h.begin();
+    held.pop_back();
+    const auto out = std::ranges::find(held, 0) - held.begin();
     std::rotate(samples.begin(), samples.begin() + out, samples.end());
-    std::rotate(h.begin(), h.begin() + out, h.end());
+    std::rotate(held.begin(), held.begin() + out, held.end());
     samples.push_back(samples.front());
-    h.push_back(h.front());
+    held.push_back(held.front());
   }
   std::vector<std::vector<SectionSample>> result;
   std::vector<SectionSample> current;
@@ -142,7 +142,7 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
       const double m = 0.5 * (a + b);
       LevelNode node;
       if (!cutter.between(in.face, in.node, out.node, m, level, node)) break;
-      if (window.outside(node.p) <= 0) {
+      if (window.holds(node.p)) {
         a = m;
         best.node = node;
       } else {
@@ -153,13 +153,13 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
     return best;
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const bool in = h[i] <= 0;
-    if (in && i > 0 && h[i - 1] > 0) {
+    const bool in = held[i];
+    if (in && i > 0 && !held[i - 1]) {
       const SectionSample first = border(samples[i], samples[i - 1]);
       if ((first.node.p - samples[i].node.p).norm() > kSameNode) current.push_back(first);
     }
     if (in) current.push_back(samples[i]);
-    if (!in && i > 0 && h[i - 1] <= 0) {
+    if (!in && i > 0 && held[i - 1]) {
       const SectionSample last = border(samples[i - 1], samples[i]);
       if ((last.node.p - samples[i - 1].node.p).norm() > kSameNode) current.push_back(last);
       result.push_back(std::move(current));

@@ -55,15 +55,19 @@ struct SectionSample {
   bool corner = false;  ///< a new run begins here
 };
 
-/// The convex region of a section plane that lies in the block: h(p) ≤ 0 for each of its sides.
+/// What of a section plane counts: its convex region in the block, or in the block as prolonged without end
+/// along one of its axes.
 struct BlockWindow {
-  static constexpr double kSlack = 1e-6;  ///< mm that a curve may lie outside the block
+  static constexpr double kSlack = 1e-6;  ///< mm that a curve may lie outside
 
-  const Box& box;
-  /// The largest h, mm: above 0 outside the block.
-  double outside(const Eigen::Vector3d& p) const {
+  Box box;
+  int endless = -1;  ///< that axis of the box; −1: none
+
+  bool holds(const Eigen::Vector3d& p) const {
     const Eigen::Vector3d q = box.frame.toLocal(p);
-    return std::max((q - box.size).maxCoeff(), (-q).maxCoeff()) - kSlack;
+    for (int k = 0; k < 3; ++k)
+      if (k != endless && (q[k] < -kSlack || q[k] > box.size[k] + kSlack)) return false;
+    return true;
   }
 };
 

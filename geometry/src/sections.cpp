@@ -118,9 +118,10 @@ std::optional<PlanarCurve> alongSection(const PlanarCurve& whole, const PlanarCu
 
 Result<void> followBeyond(const Target& target, const Setup& setup, double reach,
                           std::vector<Section>& sections, const RunContext& context) {
-  Box around = setup.block;
-  around.frame.origin -= reach * (around.frame.x + around.frame.y + around.frame.normal);
-  around.size.array() += 2 * reach;
+  BlockWindow around = windowOf(setup.planes, setup.block);
+  const Frame& frame = setup.block.frame;
+  around.box.frame.origin -= reach * (frame.x + frame.y + frame.normal);
+  around.box.size.array() += 2 * reach;
   return guarded(ErrorCode::internal, "the sections cannot be followed beyond the block",
                  [&]() -> Result<void> {
                    const Sectioner sectioner(target.impl(), around, setup.planes);

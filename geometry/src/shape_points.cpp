@@ -6,9 +6,11 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -16,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "occt.h"
@@ -105,9 +108,14 @@ std::vector<Eigen::Vector3d> pointsOver(const TopoDS_Shape& shape, double sag, d
     const TopoDS_Face& face = TopoDS::Face(it.Current());
     const Facets facets = facetsOf(face);
     if (facets.triangulation.IsNull()) continue;
-    for (int i = 1; i <= facets.triangulation->NbNodes(); ++i) points.push_back(facets.node(i));
-    if (BRepAdaptor_Surface(face, Standard_False).GetType() != GeomAbs_Plane || !std::isfinite(spacing))
-      continue;
+    const bool flat = BRepAdaptor_Surface(face, Standard_False).GetType() == GeomAbs_Plane;
+    // Of curved faces the mesher places some beside the border where chords stand for that.
+    std::optional<BRepTopAdaptor_FClass2d> border;
+    if (!flat) border.emplace(face, Precision::PConfusion());
+    for (int i = 1; i <= facets.triangulation->NbNodes(); ++i)
+      if (flat || border->Perform(facets.triangulation->UVNode(i)) != TopAbs_OUT)
+        points.push_back(facets.node(i));
+    if (!flat || !std::isfinite(spacing)) continue;
     for (int i = 1; i <= facets.triangulation->NbTriangles(); ++i) {
       int a = 0, b = 0, c = 0;
       facets.triangulation->Triangle(i).Get(a, b, c);

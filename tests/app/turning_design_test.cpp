@@ -122,6 +122,51 @@ TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
   EXPECT_LT(e.joints.value->kinkMax(), fromDegrees(1));
 }
 
+/// What is true of a block through whose corners planes pass as of any other one.
+void expectWholeCut(const Design& design) {
+  const Outcome outcome = evaluate(design, nullptr, {}, Purpose::files);
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  for (const Finding& finding : e.findings())
+    EXPECT_NE(finding.severity, Severity::error) << finding.cause.index();
+  EXPECT_EQ(e.cut().sweep.value->poses.size(), std::size_t(*e.design.cut().sections.stations));
+  EXPECT_LT(e.cut().coverage.value->distance, 0.5);
+  EXPECT_EQ(e.cut().coverage.value->uncovered, 0);
+  // No blade goes along itself to keep its middle in the foam.
+  EXPECT_LT(e.result()->analysis.summary.angleMax, fromDegrees(30));
+  EXPECT_FALSE(told<PartUnknown>(e.findings()));
+  ASSERT_TRUE(e.blocks[0].part.value);
+  ASSERT_TRUE(e.blocks[0].part.value->solid);
+  EXPECT_EQ(e.blocks[0].part.value->solid->pieces(), 1);
+}
+
+TEST(TurningDesign, PlanesMayLeaveTheBlockAcrossItsCorners) {
+  // Turned alike, so that the surface ends in the block at two of its corners; and one that goes on past it.
+  for (const double reach : {0.0, 200.0}) {
+    Design design = turning();
+    auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;
+    for (KeyBlade& blade : blades) {
+      blade.turn = fromDegrees(reach > 0 ? 12 : 20);
+      blade.y += reach * (blade.y / 400 - 1);
+      blade.length = 700;
+    }
+    design.blade.length = 860;
+    expectWholeCut(design);
+  }
+}
+
+TEST(TurningDesign, ParallelPlanesMayLeaveTheBlockAcrossItsCorners) {
+  Design design = exampleDesign("bump").value();
+  design.output.programs.clear();
+  auto& poles = std::get<PolesSurface>(design.source().surface->shape);
+  poles.over = {{-300, -300}, {900, 1100}};
+  design.blade.length = 900;
+  for (const double aside : {0.09, 0.3}) {
+    design.cut().direction = Eigen::Vector3d(aside, 1, 0);
+    expectWholeCut(design);
+  }
+}
+
 TEST(TurningDesign, PlanesThatMeetInTheBlockAreRefusedWithTheirPlace) {
   Design design = turning();
   auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;

@@ -210,6 +210,33 @@ TEST(Sections, EndOnTheSidesOfTheBlock) {
   EXPECT_LT(deviation(target, cut.sections), kAccuracy);
 }
 
+TEST(Sections, GoOnBesideCornersAcrossWhichPlanesLeaveTheBlock) {
+  const Target target = exampleTarget("wavy-wall");
+  for (const double aside : {0.02, 0.3, 0.7}) {
+    CutSettings settings;
+    settings.block = BlockPlacement{{1500, 300, -250}, {900, 700, 500}, {0, 0, 0}};
+    settings.direction = Eigen::Vector3d(1, aside, 0);
+    settings.stations = 15;
+    Cut cut = cutOf(target, settings);
+    ASSERT_EQ(cut.sections.size(), 15u);
+    // From the plane that meets the first corner to the one that leaves the last.
+    EXPECT_NEAR(cut.sections.front().travel, 0, 1e-9);
+    EXPECT_NEAR(cut.sections.back().travel, (900 + 700 * aside) / std::hypot(1, aside), 1e-9);
+    // As wide as the block, so that what lies between two planes lies between their sections too.
+    for (const Section& s : cut.sections) {
+      ASSERT_EQ(s.chosen, 0) << s.index;
+      for (const double t : {s.curve().start(), s.curve().end()}) {
+        const double y = s.frame.toWorld(s.curve().value(t)).y();
+        EXPECT_NEAR(std::min(std::abs(y - 300), std::abs(y - 1000)), 0, 1e-5);
+      }
+      EXPECT_GT(s.curve().length(), 700);
+    }
+    EXPECT_LT(deviation(target, cut.sections), kAccuracy);
+    ASSERT_TRUE(followBeyond(target, cut.setup, 150, cut.sections, {}));
+    for (const Section& s : cut.sections) EXPECT_TRUE(s.beyond) << s.index;
+  }
+}
+
 TEST(Sections, AreFollowedOnTheirSurfaceBeyondTheBlock) {
   const Target target = exampleTarget("wavy-wall");
   CutSettings settings;
