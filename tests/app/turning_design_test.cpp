@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
@@ -120,6 +123,61 @@ TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
   EXPECT_FALSE(told<JointOpen>(e.findings()));
   EXPECT_LT(e.joints.value->gapMax(), 0.1);
   EXPECT_LT(e.joints.value->kinkMax(), fromDegrees(1));
+}
+
+/// The height over x of a surface where it comes through a plane across y, or ends there.
+using Through = std::map<double, double>;
+Through across(const SurfaceGrid& grid, double y) {
+  Through heights;
+  for (int c = 0; c < grid.columns; ++c)
+    for (int r = 0; r + 1 < grid.rows; ++r) {
+      const Eigen::Vector3d &a = grid.at(r, c), &b = grid.at(r + 1, c);
+      const double share = (y - a.y()) / (b.y() - a.y());
+      if (share < -0.01 || share > 1.01) continue;
+      const Eigen::Vector3d p = a + share * (b - a);
+      heights[p.x()] = p.z();
+    }
+  return heights;
+}
+
+TEST(TurningDesign, RowsOneBehindTheOtherAreCompared) {
+  // In the face between the blocks their planes are turned, or lie in it.
+  for (const double turned : {6.0, 0.0}) {
+    Design design = turning();
+    design.grid.emplace();
+    design.grid->sizes = {{{600}, {400, 400}, {500}}};
+    design.stock = stockOf(*design.grid);
+    Cut cut = design.cuts.front();
+    cut.sections.stations = 17;
+    design.cuts = cutsOf(design.stock, {cut}, {});
+    const std::array<double, 5> turns = {0, turned / 2 + 2, turned, turned / 2 + 2, 0};
+    auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;
+    for (std::size_t k = 0; k < turns.size(); ++k) blades[k].turn = fromDegrees(turns[k]);
+    const Evaluation e = evaluated(design);
+    ASSERT_EQ(e.blocks.size(), 2u);
+    EXPECT_FALSE(told<JointUnknown>(e.findings()));
+    EXPECT_FALSE(told<JointOpen>(e.findings()));
+    ASSERT_TRUE(e.joints.value);
+    ASSERT_EQ(e.joints.value->joints.size(), 1u);
+    const Joint& joint = e.joints.value->joints[0];
+    EXPECT_GT(joint.places, 40);
+    EXPECT_LT(joint.gapMax, 0.1);
+    EXPECT_LT(toDegrees(joint.kinkMax), 1);
+    // By another route: where the meshes of both cuts come through the boundary.
+    const Through one = across(e.blocks[0].cuts[0].analysis.value->cut, 400),
+                  other = across(e.blocks[1].cuts[0].analysis.value->cut, 400);
+    double most = 0;
+    int places = 0;
+    for (const auto& [x, z] : one) {
+      const auto after = other.lower_bound(x);
+      if (after == other.begin() || after == other.end()) continue;
+      const auto [x0, z0] = *std::prev(after);
+      most = std::max(most, std::abs(std::lerp(z0, after->second, (x - x0) / (after->first - x0)) - z));
+      ++places;
+    }
+    EXPECT_GT(places, 40);
+    EXPECT_NEAR(most, joint.gapMax, 0.005);
+  }
 }
 
 /// What is true of a block through whose corners planes pass as of any other one.

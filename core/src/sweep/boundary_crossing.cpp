@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bw/core/sweep/block_pieces.h"
@@ -22,6 +23,7 @@ constexpr double kSameLevel = 1e-6;  // mm
 constexpr double kAlong = 0.02;      // of a unit normal: less of it, and the boundary is run along
 constexpr double kStep = 1;          // mm of travel, over which the slope of a surface is taken
 constexpr int kPlaces = 41;          // of a blade that runs along the boundary
+constexpr double kRounding = 1e-6;   // mm
 
 Elastica::State stateAt(const BladePose& pose, double s) {
   const std::array<double, 1> arc = {s};
@@ -131,6 +133,27 @@ class Lines {
   CrossingLine line_;
 };
 
+/// The arc lengths at which the part of a blade that cuts comes through a boundary itself.
+std::vector<double> ownCrossings(const BladePose& pose, const Boundary& boundary) {
+  constexpr int kHalvings = 40;
+  const auto away = [&](double arc) {
+    return boundary.normal.dot(pose.frame.toWorld(stateAt(pose, arc).point) - boundary.point);
+  };
+  std::vector<double> found;
+  const std::vector<double> arcs = pose.cutArcs(kPlaces);
+  for (std::size_t k = 0; k + 1 < arcs.size(); ++k) {
+    double a = arcs[k], b = arcs[k + 1];
+    const bool behind = away(a) < 0;
+    if (behind == (away(b) < 0)) continue;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = std::midpoint(a, b);
+      ((away(middle) < 0) == behind ? a : b) = middle;
+    }
+    found.push_back(std::midpoint(a, b));
+  }
+  return found;
+}
+
 /// Where the surface comes through between two blades of the row, looked for from places of the first one of
 /// them, `step` mm of travel before the other one (or behind it, below 0). `beyond`: of those alone that the
 /// other one does not cut any more.
@@ -139,9 +162,20 @@ void addBetween(const RowBoundary& at, RowBlades& blades, const BladePose& from,
   constexpr int kSteps = 4;
   constexpr double kSteepest = 5;  // mm towards the boundary, per mm of travel
   const double step = levelOf(at.sweep, to) - levelOf(at.sweep, from);
-  const auto away = [&](const Vector3d& p) { return at.boundary.normal.dot(p - at.boundary.point); };
+  const auto away = [&](const Vector3d& p) {
+    const double far = at.boundary.normal.dot(p - at.boundary.point);
+    return std::abs(far) < kRounding ? 0 : far;
+  };
+  // Where a blade itself comes through, the places of both sides of it are to follow each other.
+  std::vector<double> arcs = from.cutArcs(kPlaces);
+  for (const double arc : ownCrossings(from, at.boundary)) arcs.push_back(arc);
+  for (const double arc : ownCrossings(to, at.boundary)) {
+    const double foot = footOn(from, to.frame.toWorld(stateAt(to, arc).point), sameShare(to, arc, from));
+    if (foot > from.before && foot < from.before + from.cut.length()) arcs.push_back(foot);
+  }
+  std::ranges::sort(arcs);
   Lines lines(crossings);
-  for (const double arc : from.cutArcs(kPlaces)) {
+  for (const double arc : arcs) {
     const Elastica::State state = stateAt(from, arc);
     const Vector3d begin = from.frame.toWorld(state.point);
     if (std::abs(away(begin)) > kSteepest * std::abs(step)) {

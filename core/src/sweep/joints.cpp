@@ -214,7 +214,12 @@ Result<void> alongside(Pair& pair, std::array<Loose, 2>& loose, const RunContext
 Result<void> beside(Pair& pair, const RunContext& context) {
   std::array<Loose, 2> loose;
   const Sweep &a = pair.mine.sweep, &b = pair.theirs.sweep;
-  const bool common = sameFamily(a.planes, b.planes);
+  // Planes that turn pass a boundary across the travel within a few stations, more and more of them from one
+  // side: their blades run along it.
+  constexpr double kMostlyAlong = 0.7;
+  const bool runAlong =
+      a.planes.turns() && std::abs(a.planes.direction().dot(pair.mine.boundary.normal)) > kMostlyAlong;
+  const bool common = !runAlong && sameFamily(a.planes, b.planes);
   if (common)
     if (const Result<void> ok = alongside(pair, loose, context); !ok) return ok;
   const std::array<const RowBoundary*, 2> rows = {&pair.mine, &pair.theirs};
@@ -448,12 +453,7 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
     const Sweep &a = *rows[joint.first].sweep, &b = *rows[joint.second].sweep;
     Pair pair{{a, boundary, b.block, kerfs[joint.first]}, {b, boundary, a.block, kerfs[joint.second]}, joint};
     const double along = std::abs(a.planes.direction().dot(boundary.normal));
-    // Planes that turn pass a boundary that lies across the travel within a few stations, whose sections end
-    // on it.
-    constexpr double kMostlyAlong = 0.7;
-    if (along > kMostlyAlong && (a.planes.turns() || b.planes.turns()))
-      pair.cannotTell(boundary.point);
-    else if (along > 1 - kParallel && sameFamily(a.planes, b.planes))
+    if (along > 1 - kParallel && !a.planes.turns() && sameFamily(a.planes, b.planes))
       inLine(pair);
     else
       (void)beside(pair, context);  // a stop is told below
