@@ -126,7 +126,7 @@ class Search {
     const UnitShape shape = Sheets::shape(start, sheet);
     if (!shape.allFinite()) return;
     const std::optional<UnitSolution> found =
-        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t);
+        phaseOf(shape) < kTaut ? settle(problem_, shape, 14, out_) : settleTaut(sheet, oneWay, a, t);
     if (!found) return;
     for (const UnitSolution& other : out_)
       if (sameShape(other.shape, found->shape)) return;

@@ -28,17 +28,17 @@ Carlson carlson(double x, double y, double z, double spread) {
   Carlson result{};
   {
     const double mean = (x + y + z) / 3;
-    const double u = (mean - x) / mean, v = (mean - y) / mean, w = -(u + v);
+    const double once = 1 / mean, u = (mean - x) * once, v = (mean - y) * once, w = -(u + v);
     const double e2 = u * v - w * w, e3 = u * v * w;
     result.f = (1 + (e2 / 24 - 0.1 - 3 * e3 / 44) * e2 + e3 / 14) / std::sqrt(mean);
   }
   {
     const double mean = (x + y + 3 * z) / 5;
-    const double u = (mean - x) / mean, v = (mean - y) / mean, w = (mean - z) / mean;
+    const double once = 1 / mean, u = (mean - x) * once, v = (mean - y) * once, w = (mean - z) * once;
     const double ea = u * v, eb = w * w, ec = ea - eb, ed = ea - 6 * eb, ee = ed + ec + ec;
     const double series = 1 + ed * (-3.0 / 14 + 0.25 * 9.0 / 22 * ed - 1.5 * 3.0 / 26 * w * ee) +
                           w * (ee / 6 + w * (-9.0 / 22 * ec + w * 3.0 / 26 * ea));
-    result.d = 3 * sum + share * series / (mean * std::sqrt(mean));
+    result.d = 3 * sum + share * series * once / std::sqrt(mean);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bw::elastica {
@@ -17,6 +18,10 @@ constexpr double kSettled = 1e-9;
 /// Misses above this, in lengths and rad, are told well enough by series of seven digits, as long as what is
 /// off at the start does not grow by more than exp(kGentle) towards the end.
 constexpr double kFarOff = 1e-4, kGentle = 8;
+
+/// A shape so near to one that is known, in parts of its size, goes there: three rounds, of the costliest,
+/// are spared.
+constexpr double kBecomes = 1e-5;
 
 double sizeOf(const UnitShape& q) { return std::abs(q(0)) + std::sqrt(std::hypot(q(1), q(2))); }
 
@@ -122,7 +127,8 @@ Eigen::Vector3d heldBy(const UnitProblem& problem) {
   return {problem.end.x(), problem.end.y(), problem.ends == HeldEnds::both ? problem.turning : 0};
 }
 
-std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations) {
+std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations,
+                                   std::span<const UnitSolution> known) {
   const Eigen::Vector3d target = heldBy(problem);
   std::optional<UnitSolution> best;
   double last = INFINITY;
@@ -131,6 +137,11 @@ std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, 
   for (int i = 0; i <= iterations + (best ? 2 : 0); ++i) {
     const double size = sizeOf(shape);
     if (!(size < kLargestShot)) return std::nullopt;
+    const auto becomes = [&](const UnitSolution& other) {
+      const UnitShape off = (other.shape - shape).cwiseAbs();
+      return off(0) < kBecomes * (1 + size) && off.tail<2>().sum() < kBecomes * (1 + size) * (1 + size);
+    };
+    if (std::ranges::any_of(known, becomes)) return std::nullopt;
     UnitShot shot;
     Held held;
     Eigen::Vector3d miss;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "bw/core/elastica/elastica.h"
@@ -83,8 +84,10 @@ struct UnitSolution {
   std::optional<TautBends> bends = std::nullopt;  ///< where they do not know of each other
 };
 
-/// Newton's method from `shape`; empty if it does not settle within `iterations`.
-[[nodiscard]] std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations);
+/// Newton's method from `shape`; empty if it does not settle within `iterations`, or comes so near to one of
+/// `known` that it becomes that.
+[[nodiscard]] std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations,
+                                                 std::span<const UnitSolution> known = {});
 
 /// The same on κ, f_t, f_n at the middle, from where both grips are aimed at: for blades so taut that their
 /// start does not tell their end. Both tangents held; the curve is told by an anchor in the middle.

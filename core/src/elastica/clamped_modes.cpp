@@ -140,13 +140,21 @@ constexpr double kSameConstraint = 1e-9;
 
 template <HeldEnds ends>
 const ClampedModes& modesFor(double phase) {
-  static const ClampedModes few = make(16, 1, 26, ends);
-  static const ClampedModes some = make(32, 2, 26, ends);
-  static const ClampedModes many = make(64, 4, 26, ends);
+  // Each as soon as one needs it: the finest take as long to make as a hundred blades to find.
+  if (phase < 14) {
+    static const ClampedModes few = make(16, 1, 26, ends);
+    return few;
+  }
+  if (phase < 40) {
+    static const ClampedModes some = make(32, 2, 26, ends);
+    return some;
+  }
+  if (phase < 100) {
+    static const ClampedModes many = make(64, 4, 26, ends);
+    return many;
+  }
   static const ClampedModes most = make(128, 8, 26, ends);
-  if (phase < 14) return few;
-  if (phase < 40) return some;
-  return phase < 100 ? many : most;
+  return most;
 }
 
 }  // namespace

@@ -65,13 +65,23 @@ std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& 
     const Equations equations(modes, hold, shape);
     const MatrixXd free = freeDirections(equations);
     const VectorXd gradient = free.transpose() * equations.residual().head(shape.count());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
-    const bool holds = eigen.eigenvalues()(0) > 0;
-    if (gradient.norm() < kNearRest && holds) break;
-    VectorXd step = eigen.eigenvectors().transpose() * gradient;
-    step.array() /= -eigen.eigenvalues().array().abs().max(kStiffEnough);
-    if (!holds && std::abs(step(0)) < kOffASaddle) step(0) = step(0) < 0 ? -kOffASaddle : kOffASaddle;
-    step = free * (eigen.eigenvectors() * step);
+    const MatrixXd hessian = reducedHessian(equations);
+    VectorXd step;
+    // Stiff enough in all directions, which a factorisation shows in a fraction of the time, it needs no
+    // other steps than Newton's.
+    const MatrixXd beyond = hessian - kStiffEnough * MatrixXd::Identity(hessian.rows(), hessian.cols());
+    if (beyond.llt().info() == Eigen::Success) {
+      if (gradient.norm() < kNearRest) break;
+      step = free * -hessian.llt().solve(gradient);
+    } else {
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(hessian);
+      const bool holds = eigen.eigenvalues()(0) > 0;
+      if (gradient.norm() < kNearRest && holds) break;
+      step = eigen.eigenvectors().transpose() * gradient;
+      step.array() /= -eigen.eigenvalues().array().abs().max(kStiffEnough);
+      if (!holds && std::abs(step(0)) < kOffASaddle) step(0) = step(0) < 0 ? -kOffASaddle : kOffASaddle;
+      step = free * (eigen.eigenvectors() * step);
+    }
     step *= std::min(1.0, kLongestFall / step.norm());
     bool lower = false;
     for (int halving = 0; halving < 12 && !lower; ++halving, step *= 0.5) {

@@ -41,14 +41,14 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
     return matrix.bottomRightCorner(free, free);
   };
   const MatrixXd squares = reduced(modes.squares), reducedForm = reduced(form);
-  if (std::isfinite(below) && function) {
-    // Mostly it lies a little below: inverse iteration there, Newton's method from what that finds (Rayleigh
-    // quotients), and a factorisation that shows that no other one is smaller. What is left is of the third
-    // power of what a step changes.
+  {
+    // Mostly it lies a little below what is asked for, or is the one nearest to 0: inverse iteration there,
+    // Newton's method from what that finds (Rayleigh quotients), and a factorisation that shows that no other
+    // one is smaller. What is left is of the third power of what a step changes.
     constexpr double kSettled = 1e-7, kSure = 1e-7;
     constexpr int kFirst = 3, kSteps = 8;
     VectorXd shape = VectorXd::LinSpaced(free, 2, 1);
-    double value = kUnit * below;
+    double value = std::isfinite(below) ? kUnit * below : 0;
     for (int i = 0; i < kSteps; ++i) {
       const Eigen::PartialPivLU<MatrixXd> factors(reducedForm - value * squares);
       for (int k = 0; k < (i == 0 ? kFirst : 1); ++k) {
@@ -63,6 +63,7 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
       if (value >= kUnit * below ||
           Eigen::LLT<MatrixXd>(reducedForm - (value - kSure * kUnit) * squares).info() != Eigen::Success)
         break;
+      if (!function) return value / kUnit;
       *function = VectorXd::Zero(modes.count());
       function->tail(free) = shape;
       function->applyOnTheLeft(qr.householderQ());

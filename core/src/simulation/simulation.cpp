@@ -5,7 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -60,8 +62,10 @@ class Runner {
   Step<void> begin(const Hold& hold);
   Step<void> go(const Hold& hold, double time, std::size_t instant);
   Step<void> note(const Hold& hold, double time, std::size_t instant, bool atInstant);
-  /// How firmly the blade rests at each moment, and how tightly it bends.
-  Result<void> judge(const RunContext& context);
+  /// How firmly the blade rests at a moment, and how tightly it bends.
+  void look(std::size_t k);
+  /// All of them, but those that were looked at on the way.
+  Result<void> judge(const RunContext& context, std::size_t from);
   /// What comes of the blade at a moment.
   Step<void> moment(std::size_t instant, double share, bool atInstant);
   Vector3d toFile(const Vector3d& inBlock) const {
@@ -93,6 +97,7 @@ class Runner {
   double startAngle_ = 0, turning_ = 0;
   std::optional<HeavyBranch> branch_;  ///< none while the blade is straight
   std::vector<char> bent_;             ///< of each moment, whether there was one
+  std::vector<double> curvatures_;     ///< of each that was looked at
   Simulation result_;
 };
 
@@ -248,22 +253,24 @@ Step<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool
   return {};
 }
 
-Result<void> Runner::judge(const RunContext& context) {
-  std::vector<double> curvatures(result_.blades.size());
-  const Result<void> ok = parallelFor(context, int(result_.blades.size()), [&](int k) {
-    SimulatedBlade& at = result_.blades[std::size_t(k)];
-    curvatures[std::size_t(k)] = at.blade.maxCurvature();
-    if (!bent_[std::size_t(k)]) return;
-    const HeavyMargins margins = marginsOf(at.blade);
-    at.margin = margins.inPlane;
-    if (round_) at.outOfPlaneMargin = margins.outOfPlane;
-    at.crossesItself = at.blade.selfIntersects();
-  });
+void Runner::look(std::size_t k) {
+  SimulatedBlade& at = result_.blades[k];
+  curvatures_[k] = at.blade.maxCurvature();
+  if (!bent_[k]) return;
+  const HeavyMargins margins = marginsOf(at.blade);
+  at.margin = margins.inPlane;
+  if (round_) at.outOfPlaneMargin = margins.outOfPlane;
+  at.crossesItself = at.blade.selfIntersects();
+}
+
+Result<void> Runner::judge(const RunContext& context, std::size_t from) {
+  const Result<void> ok =
+      parallelFor(context, int(result_.blades.size() - from), [&](int k) { look(from + std::size_t(k)); });
   if (!ok) return ok;
   double tightest = 0;
-  for (std::size_t i = 0; i < curvatures.size(); ++i) {
+  for (std::size_t i = 0; i < result_.blades.size(); ++i) {
     result_.marginMin = std::min(result_.marginMin, result_.blades[i].margin);
-    tightest = std::max(tightest, curvatures[i]);
+    tightest = std::max(tightest, curvatures_[i]);
   }
   if (tightest > 0) result_.minRadius = 1 / tightest;
   return {};
@@ -301,7 +308,14 @@ std::optional<RunSpeeds> speedsOf(const Simulation& simulation) {
 }
 
 Result<Simulation> Runner::run(const RunContext& context) {
-  const std::size_t n = motion_.instants.size();
+  const std::size_t n = motion_.instants.size(), most = kBetween * n;
+  // What is looked at on the way stays where it is.
+  result_.blades.reserve(most);
+  bent_.reserve(most);
+  curvatures_.resize(most);
+  constexpr std::size_t kTogether = 32;  // moments that are worth a thread
+  std::size_t seen = 0;
+  std::future<void> looks;
   for (std::size_t i = 0; i < n && !result_.halt; ++i)
     for (int k = i == 0 ? kBetween : 1; k <= kBetween && !result_.halt; ++k) {
       if (context.stopped()) return stoppedError();
@@ -309,8 +323,16 @@ Result<Simulation> Runner::run(const RunContext& context) {
       const std::size_t from = i == 0 || k == kBetween ? i : i - 1;
       const Step<void> ok = moment(from, from == i ? 0 : double(k) / kBetween, from == i);
       if (!ok) result_.halt = ok.error();
+      const std::size_t now = result_.blades.size();
+      if (context.threads == 1 || now < seen + kTogether) continue;
+      if (looks.valid() && looks.wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
+      looks = std::async(std::launch::async, [this, seen, now] {
+        for (std::size_t at = seen; at < now; ++at) look(at);
+      });
+      seen = now;
     }
-  if (const Result<void> ok = judge(context); !ok) return tl::unexpected<Error>(ok.error());
+  if (looks.valid()) looks.get();
+  if (const Result<void> ok = judge(context, seen); !ok) return tl::unexpected<Error>(ok.error());
   result_.speeds = speedsOf(result_);
   return std::move(result_);
 }

@@ -51,9 +51,8 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
   const double width = levels_[row + 1] - levels_[row];
   const double share = width > 0 ? std::clamp((level - levels_[row]) / width, 0.0, 1.0) : 0.0;
   const int last = cut_.columns - 1;
-  const auto at = [&](int c) -> Vector3d {
-    return (1 - share) * cut_.at(int(row), c) + share * cut_.at(int(row) + 1, c);
-  };
+  const Vector3d *low = &cut_.at(int(row), 0), *high = &cut_.at(int(row) + 1, 0);
+  const auto at = [&](int c) -> Vector3d { return (1 - share) * low[c] + share * high[c]; };
   const Vector3d across = planes_.at(level).normal;
   const auto inPlane = [&](const Vector3d& v) -> Vector3d { return v - v.dot(across) * across; };
 
@@ -62,7 +61,8 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
   double nearest = 1e300, column = 0;
   int about = 0;
   for (int c = 0; c <= last; c = c < last ? std::min(c + kStride, last) : last + 1) {
-    const double distance = inPlane(place - at(c)).squaredNorm();
+    const Vector3d off = place - at(c);
+    const double out = off.dot(across), distance = off.squaredNorm() - out * out;
     if (distance >= nearest) continue;
     nearest = distance;
     about = c;
