@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -197,22 +198,30 @@ std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& po
 
 Segments boundaryEdges(const std::vector<Eigen::Vector3d>& points,
                        const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<EdgeKey> edges;
-  edges.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      edges.push_back(edgeKey(a, b));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+  // Of each point the higher ones that it shares edges with: a few, where all edges in order would be many.
+  std::vector<std::size_t> begin(points.size() + 1, 0);
+  const auto eachEdge = [&](const auto& see) {
+    for (const auto& triangle : triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+        see(std::size_t(a), b);
+      }
+  };
+  eachEdge([&](std::size_t a, int) { ++begin[a + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> others(3 * triangles.size());
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  eachEdge([&](std::size_t a, int b) { others[end[a]++] = b; });
   Segments result;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t next = i + 1;
-    while (next < edges.size() && edges[next] == edges[i]) ++next;
-    if (next == i + 1)
-      result.emplace_back(points[std::size_t(edges[i] >> 32)], points[std::size_t(edges[i] & 0xFFFFFFFFu)]);
-    i = next;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    const auto first = others.begin() + std::ptrdiff_t(begin[a]),
+               last = others.begin() + std::ptrdiff_t(end[a]);
+    std::sort(first, last);
+    for (auto at = first; at != last;) {
+      const auto next = std::find_if(at, last, [at](int b) { return b != *at; });
+      if (next == at + 1) result.emplace_back(points[a], points[std::size_t(*at)]);
+      at = next;
+    }
   }
   return result;
 }

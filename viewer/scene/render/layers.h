@@ -77,7 +77,8 @@ class Part {
   vtkSmartPointer<vtkActor> actor_;
   vtkSmartPointer<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> data_;
-  double width_ = 1;  ///< pixels, of lines
+  double width_ = 1;    ///< pixels, of lines
+  bool shines_ = true;  ///< what is drawn
 };
 
 /// Points, normals and triangles without copying: the vectors must outlive the data set's use of them.

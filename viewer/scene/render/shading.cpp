@@ -42,6 +42,7 @@ constexpr unsigned kDepthTest = 0x0B71, kBlend = 0x0BE2, kColorBit = 0x4000, kDe
 constexpr unsigned kZero = 0, kOne = 1, kSourceColor = 0x0300;
 
 constexpr int kCoarser = 2;  ///< pixels of the picture a pixel of the shadows, along each side
+constexpr int kBeside = 4;   ///< pixels beside solids; shadows are smoothed over fewer
 
 constexpr const char* kShadowShader = R"(//VTK::System::Dec
 in vec2 texCoord;
@@ -186,6 +187,31 @@ std::vector<double> AmbientOcclusion::causes(vtkRenderer* renderer, int width, i
   return all;
 }
 
+std::optional<AmbientOcclusion::Window> AmbientOcclusion::seen(vtkRenderer* renderer) const {
+  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      renderer->GetTiledAspectRatio(), -1, 1);
+  Window window{Eigen::Array2d::Ones(), Eigen::Array2d::Zero()};
+  for (vtkActor* actor : solids_) {
+    if (!actor->GetVisibility() || !actor->HasOpaqueGeometry()) continue;
+    const double* bounds = actor->GetBounds();
+    if (!bounds) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const double place[4] = {bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)],
+                               1};
+      double at[4];
+      matrix->MultiplyPoint(place, at);
+      // What reaches behind the eye may be anywhere.
+      if (!(at[3] > 0)) return Window{Eigen::Array2d::Zero(), Eigen::Array2d::Ones()};
+      const Eigen::Array2d share = 0.5 * (Eigen::Array2d(at[0], at[1]) / at[3] + 1);
+      window.from = window.from.min(share);
+      window.to = window.to.max(share);
+    }
+  }
+  window.from = window.from.max(0.0);
+  window.to = window.to.min(1.0);
+  return (window.from < window.to).all() ? std::optional(window) : std::nullopt;
+}
+
 void AmbientOcclusion::drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl) {
   // Colours come along; the first shadows take their place.
   buffer_->AddColorAttachment(0, shadow_);
@@ -228,11 +254,11 @@ void AmbientOcclusion::draw(Step step, vtkRenderer* renderer, vtkTextureObject* 
 
 void AmbientOcclusion::Render(const vtkRenderState* state) {
   this->NumberOfRenderedProps = 0;
-  const bool any = std::any_of(solids_.begin(), solids_.end(), [](vtkActor* actor) {
-    return actor->GetVisibility() && actor->HasOpaqueGeometry();
-  });
-  if (!any || strength_ <= 0 || reach_ <= 0) return;
+  if (strength_ <= 0 || reach_ <= 0) return;
   vtkRenderer* renderer = state->GetRenderer();
+  // Nothing is in the shade but what shades.
+  const std::optional<Window> seen = this->seen(renderer);
+  if (!seen) return;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetVTKWindow());
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
@@ -240,6 +266,13 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
   if (!prepare(window, unsigned(width / kCoarser), unsigned(height / kCoarser))) return;
 
   vtkOpenGLState* gl = window->GetState();
+  // Lets only be drawn where solids are, and as many pixels beside them as shadows are smoothed over.
+  const auto within = [&](int x, int y, int w, int h, int beside) {
+    const Eigen::Array2d size(w, h);
+    const Eigen::Array2d from = (seen->from * size - beside).floor().max(0.0),
+                         to = (seen->to * size + beside).ceil().min(size);
+    gl->vtkglScissor(x + int(from.x()), y + int(from.y()), int(to.x() - from.x()), int(to.y() - from.y()));
+  };
   const vtkOpenGLState::ScopedglViewport viewport(gl);
   const vtkOpenGLState::ScopedglScissor scissor(gl);
   const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, kDepthTest);
@@ -253,6 +286,7 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
     gl->vtkglViewport(0, 0, width / kCoarser, height / kCoarser);
     gl->vtkglScissor(0, 0, width / kCoarser, height / kCoarser);
     drawDepths(renderer, gl);
+    within(0, 0, width / kCoarser, height / kCoarser, kBeside);
     gl->vtkglDisable(kDepthTest);
     gl->vtkglDisable(kBlend);
     draw(Step::shade, renderer, smooth_);
@@ -260,8 +294,8 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
     draw(Step::blur, renderer, shadow_);
     gl->PopFramebufferBindings();
     gl->vtkglViewport(left, bottom, width, height);
-    gl->vtkglScissor(left, bottom, width, height);
   }
+  within(left, bottom, width, height, kBeside);  // fewer of the shadows, whose borders are not read
   gl->vtkglDisable(kDepthTest);
   gl->vtkglEnable(kBlend);
   gl->vtkglDepthMask(0);

@@ -7,8 +7,11 @@
 #include <vtkRenderPass.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
@@ -47,6 +50,12 @@ class AmbientOcclusion : public vtkRenderPass {
   bool prepare(vtkOpenGLRenderWindow* window, unsigned width, unsigned height);
   /// All that the shadows hang on, as numbers.
   std::vector<double> causes(vtkRenderer* renderer, int width, int height) const;
+  /// A part of the screen: 0 to 1 from the lower left corner.
+  struct Window {
+    Eigen::Array2d from, to;
+  };
+  /// Holds all that is seen of the solids; empty where nothing is.
+  std::optional<Window> seen(vtkRenderer* renderer) const;
   void drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl);
   /// Fills what is bound by the program of a step, which reads the depths and perhaps `shadows`.
   void draw(Step step, vtkRenderer* renderer, vtkTextureObject* shadows);

@@ -69,6 +69,16 @@ void Part::setMatte(double ambient, double diffuse, double specular) {
   property()->SetDiffuse(diffuse);
   property()->SetSpecular(specular);
   property()->SetSpecularPower(18);
+  // Where nothing shines the power that VTK takes for each light and pixel, as long as all the rest, is left
+  // out by the compiler.
+  const bool shines = specular > 0;
+  if (shines == shines_) return;
+  shines_ = shines;
+  constexpr const char* kShine = "specularIntensity * specularColorUniform";
+  if (shines)
+    actor_->GetShaderProperty()->ClearFragmentShaderReplacement(kShine, false);
+  else
+    actor_->GetShaderProperty()->AddFragmentShaderReplacement(kShine, false, "vec3(0.0)", false);
 }
 
 void Part::setDepthShift(double ndc) {
