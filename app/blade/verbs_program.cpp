@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <functional>
 #include <future>
 #include <iostream>
 #include <memory>
@@ -135,6 +136,11 @@ std::string designAbout(const std::filesystem::path& path) {
 }
 
 int runSimulate(const Session& session, const SimulateOptions& options) {
+  std::error_code error;
+  // What draws the pictures gets ready meanwhile, unless all is to be done on one thread.
+  std::future<scene::Scene> ready;
+  if (!options.out.empty() && session.threads != 1 && std::filesystem::exists(options.path, error))
+    ready = std::async(std::launch::async, pipeline::readyScene);
   const std::string about = options.design.empty() ? designAbout(options.path) : options.design;
   std::optional<Design> design;
   if (!about.empty()) {
@@ -142,7 +148,6 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
     if (!opened) return session.complain(opened.error());
     design = std::move(*opened);
   }
-  std::error_code error;
   const std::filesystem::path path = options.path, programs = path / "programs";
   if (const auto strips = stripsBelow(std::filesystem::is_directory(programs, error) ? programs : path);
       strips.size() > 1)
@@ -161,20 +166,26 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
       std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
   if (!options.out.empty())
     if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
-  // What draws the pictures gets ready meanwhile, unless all is to be done on one thread.
-  std::future<scene::Scene> ready;
-  if (!options.out.empty() && session.threads != 1)
-    ready = std::async(std::launch::async, pipeline::readyScene);
-  const Result<pipeline::ProgramRun> run =
-      pipeline::runProgram(*program, design ? &*design : nullptr, session.context(), length);
+  // What is seen of the run is told while the rest is sought.
+  std::string cut;
+  Result<std::vector<pipeline::ReportPicture>> pictures;
+  const auto tellSeen = [&](const pipeline::ProgramRun& seen) {
+    std::future<std::string> text =
+        std::async(session.threads == 1 ? std::launch::deferred : std::launch::async,
+                   [&seen] { return pipeline::cutText(seen); });
+    pictures =
+        pipeline::simulationPictures(seen, session.context(), ready.valid() ? ready.get() : scene::Scene());
+    cut = text.get();
+  };
+  const Result<pipeline::ProgramRun> run = pipeline::runProgram(
+      *program, design ? &*design : nullptr, session.context(), length,
+      options.out.empty() ? std::function<void(const pipeline::ProgramRun&)>() : tellSeen);
   if (!run) return session.complain(run.error());
   if (!options.out.empty()) {
-    std::future<FileSet> made = std::async(session.threads == 1 ? std::launch::deferred : std::launch::async,
-                                           [&run] { return pipeline::simulationFiles(*run); });
-    const auto pictures =
-        pipeline::simulationPictures(*run, session.context(), ready.valid() ? ready.get() : scene::Scene());
-    FileSet files = made.get();
     if (session.stop.stop_requested()) return session.complain(stoppedError().value());
+    FileSet files;
+    files.add("simulation.json", pipeline::simulationText(*run));
+    files.add("cut.obj", std::move(cut));
     if (!pictures) {
       // What the program does is known all the same.
       session.endProgress();

@@ -183,7 +183,16 @@ TEST(DesignedSurface, TheFloorIsKeptOnTheWholeWay) {
     Motion motion = *e.cut().motion.value;
     for (std::size_t i = 0; motion.instants[i].station < 0; ++i)
       for (Pose& grip : motion.instants[i].poses) grip.position.z() -= down;
-    const ProgramRun run = runProgram(robotio::writeJson(motion, cell).value(), &design, {}).value();
+    int told = 0;
+    const auto seen = [&told](const ProgramRun& now) {
+      ++told;
+      EXPECT_TRUE(now.surface && now.compared.target && now.compared.cut.rows > 1);
+      EXPECT_TRUE(now.barriers.empty()) << "which pictures need not wait for";
+    };
+    const ProgramRun run =
+        runProgram(robotio::writeJson(motion, cell).value(), &design, {}, {}, seen).value();
+    EXPECT_EQ(told, 1);
+    EXPECT_FALSE(run.barriers.empty());
     return std::ranges::any_of(run.exceeded, [](const std::string& text) {
       return text.find("the face that the block lies on (floor: 20 mm)") != std::string::npos;
     });

@@ -114,14 +114,16 @@ scene::Scene readyScene() {
 Result<std::vector<ReportPicture>> simulationPictures(const ProgramRun& run, const RunContext& context,
                                                       scene::Scene scene) {
   if (context.stopped()) return stoppedError();
-  scene.setContent(contentOf(run));
-  PictureList pictures(scene, context);
+  auto drawn = std::make_unique<scene::Scene>(std::move(scene));
+  drawn->setContent(contentOf(run));
+  PictureList pictures(*drawn, context);
   for (const PictureOfRun& wanted :
        isOver(run) ? std::vector{kFromTarget, kFromShown} : std::vector{kAlone}) {
-    scene.setStyle(styleOf(run, wanted));
+    drawn->setStyle(styleOf(run, wanted));
     if (Result<void> ok = pictures.add(scene::View::iso, false, wanted.name, wanted.title); !ok)
       return tl::unexpected<Error>(ok.error());
   }
+  drawn.reset();  // while the last one is encoded
   return pictures.take();
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -212,7 +213,8 @@ void addSpeeds(ordered_json& object, const std::optional<RunSpeeds>& speeds) {
 }  // namespace
 
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context, std::optional<double> length) {
+                              const RunContext& context, std::optional<double> length,
+                              const std::function<void(const ProgramRun&)>& seen) {
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
@@ -261,13 +263,16 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
                    [&] { return barriersAlong(run.simulation, blade.flexuralRigidity(), context); });
     const Result<SimulatedSurface> surface =
         cutBy(run.simulation, *cut, context, &run.melted, &run.compared.cut);
+    if (surface) {
+      run.surface = *surface;
+      run.compared.target = cut->targetMesh.value;
+      run.compared.tolerance = design->process.tolerance;
+      run.compared.motionTolerance = design->process.motionTolerance;
+      if (seen) seen(run);
+    }
     Result<std::vector<BarrierLook>> barriers = looks.get();
     if (!surface) return tl::unexpected<Error>(surface.error());
     if (!barriers) return tl::unexpected<Error>(barriers.error());
-    run.surface = *surface;
-    run.compared.target = cut->targetMesh.value;
-    run.compared.tolerance = design->process.tolerance;
-    run.compared.motionTolerance = design->process.motionTolerance;
     run.barriers = std::move(*barriers);
     run.exceeded = judge(*design, run.simulation, *surface);
     judgeBarriers(run.barriers, run.exceeded);
@@ -282,6 +287,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
       run.exceeded.push_back(
           "the design has " +
           (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
+  } else if (seen) {
+    seen(run);
   }
   if (gripsExchanged(run.motion, cut ? cut->motion.value.get() : nullptr))
     run.exceeded.push_back(
@@ -368,12 +375,9 @@ SurfaceGrid standing(const ProgramRun& run, SurfaceGrid swept) {
                     : standingBeside(std::move(swept), run.kerf);
 }
 
-FileSet simulationFiles(const ProgramRun& run) {
-  FileSet files;
-  files.add("simulation.json", simulationText(run));
+std::string cutText(const ProgramRun& run) {
   const SurfaceGrid cut = standing(run, run.simulation.swept());
-  files.add("cut.obj", objText({{"cut_surface", &cut}}));
-  return files;
+  return objText({{"cut_surface", &cut}});
 }
 
 }  // namespace bw::pipeline

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,16 +48,18 @@ struct ProgramRun {
 /// alone is followed. Where the design leaves the length of its blade open, it is `length` (mm), that of the
 /// results that the program belongs to, or else what the program tells. Errors: those of reading, of the
 /// design's evaluation, of `simulate`; badInput where no dialect reads the files, or the blade's length is
-/// not that of the design.
+/// not that of the design. `seen` is called, on this thread, as soon as all is known that pictures and the
+/// surface tell, while energy barriers are still sought on others.
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context, std::optional<double> length = std::nullopt);
+                              const RunContext& context, std::optional<double> length = std::nullopt,
+                              const std::function<void(const ProgramRun&)>& seen = {});
 
 /// The text of simulation.json.
 std::string simulationText(const ProgramRun& run);
 /// What stands beside what the middle of the blade of a run sweeps: by half the kerf of what it was compared
 /// with.
 SurfaceGrid standing(const ProgramRun& run, SurfaceGrid swept);
-/// simulation.json and cut.obj.
-FileSet simulationFiles(const ProgramRun& run);
+/// The text of cut.obj, which needs no barriers.
+std::string cutText(const ProgramRun& run);
 
 }  // namespace bw::pipeline
