@@ -508,6 +508,14 @@ TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
   };
   constexpr double kFarthest = 20;
   ReachSearch search(evaluated(0), pulledBy, kFarthest);
+  // What is told first is little, and free in truth.
+  ASSERT_TRUE(search.look({}) && search.look({}));
+  for (const Reach::End& end : search.reach().ends) {
+    EXPECT_EQ(std::abs(end.free), ReachSearch::kNear);
+    EXPECT_EQ(end.bar, Bar::none);
+    EXPECT_EQ(barOfEvaluation(end.free), Bar::none);
+  }
+  EXPECT_LT(search.reach().ends[0].free, search.reach().ends[1].free);
   while (search.look({}) || search.confirm({})) {
   }
   EXPECT_FALSE(search.looking());

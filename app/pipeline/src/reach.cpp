@@ -50,10 +50,11 @@ ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::fun
     : from_(from),
       at_(std::move(at)),
       farthest_(farthest),
-      sides_{Side{Sketcher(from)}, Side{Sketcher(from)}} {}
+      sides_{Side{Sketcher(from)}, Side{Sketcher(from)}},
+      near_(Sketcher(from)) {}
 
-Bar ReachSearch::barAt(Side& side, double by, const RunContext& context) const {
-  const std::optional<Sketch> sketch = side.sketcher.draw(at_(by), context);
+Bar ReachSearch::barAt(Sketcher& sketcher, double by, const RunContext& context) const {
+  const std::optional<Sketch> sketch = sketcher.draw(at_(by), context);
   return sketch ? barOf(*sketch, deviation_) : Bar::noBlade;
 }
 
@@ -69,7 +70,7 @@ bool ReachSearch::unsure() const { return unsure(0) || unsure(1); }
 
 bool ReachSearch::look(const RunContext& context) {
   if (!began_) {
-    const std::optional<Sketch> now = sides_[1].sketcher.draw(at_(0), context);
+    const std::optional<Sketch> now = near_->draw(at_(0), context);
     if (context.stopped()) return true;
     began_ = true;
     reach_.now = now ? barOf(*now) : Bar::noBlade;
@@ -89,9 +90,9 @@ bool ReachSearch::look(const RunContext& context) {
     if (side.done) continue;
     const double sign = i == 0 ? -1 : 1, free = std::abs(end.free);
     const bool known = end.bar != Bar::none;
-    const double next =
-        known ? 0.5 * (free + side.barred) : std::min(farthest_, free == 0 ? kFirst : 2 * free);
-    const Bar bar = barAt(side, sign * next, context);
+    const double ahead = near_ ? kNear : free < kFirst ? kFirst : 2 * free;
+    const double next = known ? 0.5 * (free + side.barred) : std::min(farthest_, ahead);
+    const Bar bar = barAt(near_ ? *near_ : side.sketcher, sign * next, context);
     if (context.stopped()) return true;
     if (bar == Bar::none) {
       end.free = sign * next;
@@ -102,6 +103,7 @@ bool ReachSearch::look(const RunContext& context) {
     side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
     side.sure = side.done && end.bar == Bar::none;
   }
+  near_.reset();
   return looking();
 }
 

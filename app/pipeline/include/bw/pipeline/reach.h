@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "bw/pipeline/sketch.h"
 
@@ -36,12 +37,13 @@ struct Reach {
   bool operator==(const Reach&) const = default;
 };
 
-/// Seeks how far something of a design may be moved, look by look, from where it is: ever farther, until it
-/// is barred, and back to within `kWithin` of the border. What sketches tell of a border depends on the way
-/// there, which the blades follow; an evaluation tells whether it bars in truth.
+/// Seeks how far something of a design may be moved, look by look, from where it is: a little way, which
+/// blades follow in some ms, then ever farther, where they may have to be found anew, until it is barred, and
+/// back to within `kWithin` of the border. What sketches tell of a border depends on the way there, which the
+/// blades follow; an evaluation tells whether it bars in truth.
 class ReachSearch {
  public:
-  static constexpr double kFirst = 4, kWithin = 0.5;
+  static constexpr double kNear = 1, kFirst = 4, kWithin = 0.5;
 
   /// `at` makes the design that is moved by so much, in the unit of `farthest` (mm), beyond which nobody
   /// looks.
@@ -68,7 +70,7 @@ class ReachSearch {
     double step = kFirst;  ///< to the next one, while none is
   };
   /// What bars the design that is moved by so much.
-  Bar barAt(Side& side, double by, const RunContext& context) const;
+  Bar barAt(Sketcher& sketcher, double by, const RunContext& context) const;
   bool unsure(std::size_t side) const;
 
   std::shared_ptr<const Evaluation> from_;
@@ -76,6 +78,7 @@ class ReachSearch {
   double farthest_;
   double deviation_ = 0;  ///< mm, allowed at stations
   std::array<Side, 2> sides_;
+  std::optional<Sketcher> near_;  ///< of where it is and little beside: one row for both ways
   Reach reach_;
   bool began_ = false;
 };
