@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "design/design_keys.h"
@@ -219,7 +220,7 @@ std::string cutTableJson(const Design& design) {
 Result<Design> withCutTable(const Design& design, std::string_view table) {
   if (!isUtf8(table))
     return fail(ErrorCode::badInput, "the table of cuts is no UTF-8 text; save it as CSV UTF-8", "table");
-  if (table.starts_with("\xEF\xBB\xBF")) table.remove_prefix(3);  // as spreadsheets begin UTF-8
+  table = withoutByteOrderMark(table);  // as spreadsheets begin UTF-8
   const std::size_t first = table.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string_view::npos && (table[first] == '{' || table[first] == '[');
   const Result<json> cuts = isJson ? cutsFromJson(table) : cutsFromCsv(table);
