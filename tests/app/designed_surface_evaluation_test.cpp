@@ -223,6 +223,44 @@ TEST(DesignedSurface, AHomeOfTheCellBelowTheFloorIsTold) {
   EXPECT_FALSE(std::ranges::count(evaluated(design).cell.findings, FindingKind::floor, &Finding::kind));
 }
 
+TEST(DesignedSurface, AHomeOfTheCellInTheBlockIsTold) {
+  std::ifstream in(*resourceFolder() / "cells" / "irb1600-pair.json");
+  nlohmann::json cell = nlohmann::json::parse(in);
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / "bladewright_home_in_block_cell.json";
+  Design design = exampleDesign("single-block").value();
+  design.output.programs = {"rapid"};
+  const auto told = [&](double towards) {
+    nlohmann::json other = cell;
+    other["work_object"]["pose"]["position"][1] = 335 + towards;
+    std::ofstream(file) << other.dump();
+    design.output.cell = file.string();
+    const Findings all = evaluated(design).cell.findings;
+    std::filesystem::remove(file);
+    const auto own = std::ranges::find_if(
+        all, [](const Finding& finding) { return std::holds_alternative<ProgramBreach>(finding.cause); });
+    return own == all.end() ? Finding{} : *own;
+  };
+  // The block stands 300 mm nearer to where the home is, then behind it.
+  const Finding inside = told(300), before = told(0);
+  EXPECT_EQ(inside.severity, Severity::error);
+  ASSERT_TRUE(inside.where.point);
+  const auto& breach = std::get<ProgramBreach>(inside.cause);
+  EXPECT_EQ(breach.rule, "cell");
+  EXPECT_NE(
+      breach.text.find("at the cell's home, where the program begins, the blade lies in the block: at ("),
+      std::string::npos)
+      << breach.text;
+  EXPECT_NE(breach.text.find("home_deg"), std::string::npos);
+  EXPECT_FALSE(before.where.point);
+  // Home is behind the block: the blade would come through it.
+  const Finding through = told(1400);
+  ASSERT_TRUE(through.where.point);
+  EXPECT_NE(std::get<ProgramBreach>(through.cause)
+                .text.find("on the way from the cell's home to where it comes to the block"),
+            std::string::npos);
+}
+
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,
                          testing::Values("single-block", "ripple-along", "ripple-across",
                                          "ruled-between-curves", "twist", "bump", "three-block-wall",

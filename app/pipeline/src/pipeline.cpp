@@ -12,10 +12,10 @@
 #include "block_part.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/sweep/joint_kerf.h"
-#include "bw/core/sweep/lowest_place.h"
 #include "bw/pipeline/lower_block.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
+#include "cell_ways.h"
 #include "cut_stages.h"
 
 namespace bw::pipeline {
@@ -87,47 +87,6 @@ bool forRobots(const std::vector<std::string>& formats) {
   });
 }
 
-/// Where the cell holds the blade below the floor before the motion, and after it: at home, where it comes
-/// from and where it goes to.
-Findings lowInCell(const CutEvaluation& cut, const Cell& cell) {
-  const std::optional<double> floor = cut.motion.request.floor;
-  if (!floor) return {};
-  // A motion that makes no program is told of where programs are made.
-  const Result<robotio::ProgramPlan> plan = robotio::planProgram(*cut.motion.value, cell);
-  if (!plan) return {};
-  const std::vector<MotionInstant>& instants = cut.motion.value->instants;
-  const Sweep& sweep = *cut.sweep.value;
-  const std::vector<BladePose>&entry = cut.ends.value->entry.poses, &exit = cut.ends.value->exit.poses;
-  // The blade keeps its shape there, and hangs above where its left end is.
-  const auto heldAt = [&](const BladePose& pose, const Pose& left) {
-    LowestPlace lowest = lowestPlace(sweep.block, pose);
-    lowest.height += left.position.z() - sweep.block.frame.toLocal(pose.leftPoint()).z();
-    return lowest.height;
-  };
-  const BladePose &first = entry.empty() ? sweep.poses.front() : entry.front(),
-                  &last = exit.empty() ? sweep.poses.back() : exit.back();
-  Findings findings;
-  const auto tell = [&](const std::vector<Pose>& at, const BladePose& pose, double known,
-                        std::optional<StationRange> stations) {
-    const double height = heldAt(pose, at.front());
-    // What is as low on the motion is told of it.
-    if (height < std::min(*floor, known) - kFloorRounded)
-      findings.push_back({Severity::warning, NearBottom{height, *floor}, {stations, {}}, {}});
-  };
-  for (const robotio::ProgramMove& move : plan->moves) {
-    if (move.instant >= 0 || move.poses.empty()) continue;
-    if (move.role == robotio::MoveRole::home)
-      tell(move.poses, first, *floor, std::nullopt);
-    else if (move.role == robotio::MoveRole::approach)
-      tell(move.poses, first, heldAt(first, instants.front().poses.front()),
-           StationRange{-1, sweep.poses.front().index, sweep.poses.front().index, 0});
-    else if (move.role == robotio::MoveRole::retreat)
-      tell(move.poses, last, heldAt(last, instants.back().poses.front()),
-           StationRange{sweep.poses.back().index, -1, sweep.poses.back().index, 0});
-  }
-  return findings;
-}
-
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
 /// it.
 void judgeCell(Evaluation& e, const Evaluation* previous) {
@@ -143,7 +102,7 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                    for (const BlockEvaluation& block : e.blocks)
                                      for (const CutEvaluation& cut : block.cuts) {
                                        Findings own = robotio::checkPlacement(*cut.motion.value, *cell);
-                                       append(own, lowInCell(cut, *cell));
+                                       append(own, waysInCell(cut, *cell));
                                        for (Finding& finding : own) {
                                          if (e.blocks.size() > 1) finding.where.block = block.id;
                                          if (block.cuts.size() > 1) finding.where.cut = cut.id;
