@@ -41,15 +41,16 @@ constexpr std::array kCsvFiles = {"motion.csv"};
 constexpr std::array kJsonFiles = {"motion.json"};
 
 constexpr std::array<Dialect, 3> kDialects = {
-    {{"rapid", kRapidFiles, rapidText, readRapid, checkRapid, ownRapid},
+    {{"rapid", kRapidFiles, rapidText, readRapid, checkRapid, readRapidPlan, ownRapid},
      {"csv", kCsvFiles,
       [](const Motion& motion, const Cell&, const ProgramNotes&, Findings*) { return writeCsv(motion); },
-      readFirst<readCsv>, nullptr, [](const Program& heads) { return thatHold(heads, "time_s,station,"); }},
+      readFirst<readCsv>, nullptr, nullptr,
+      [](const Program& heads) { return thatHold(heads, "time_s,station,"); }},
      {"json", kJsonFiles,
       [](const Motion& motion, const Cell& cell, const ProgramNotes&, Findings*) {
         return writeJson(motion, cell);
       },
-      readFirst<readJson>, nullptr,
+      readFirst<readJson>, nullptr, nullptr,
       [](const Program& heads) { return thatHold(heads, "\"bladewright-motion\""); }}}};
 
 }  // namespace

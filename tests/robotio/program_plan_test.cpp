@@ -116,6 +116,82 @@ TEST(ProgramPlan, TellsWhereAHomeIsOutOfReachOrNotKnown) {
   EXPECT_EQ(std::get<HomeUnknown>(unknown[0].cause).robots, "\"irb1600-10-1.45\"") << "each once";
 }
 
+TEST(ProgramPlan, IsReadBackFromItsText) {
+  const auto plan = planProgram(sample::motion(), sample::cell());
+  ASSERT_TRUE(plan);
+  Program text = *writeRapid(*plan);
+  const auto read = readRapidPlan(text);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->cell.name, "irb1600-pair");
+  ASSERT_EQ(read->moves.size(), plan->moves.size());
+  for (std::size_t i = 0; i < plan->moves.size(); ++i) {
+    EXPECT_EQ(read->moves[i].role, plan->moves[i].role) << i;
+    EXPECT_EQ(read->moves[i].instant, plan->moves[i].instant) << i;
+    EXPECT_NEAR(read->moves[i].duration, plan->moves[i].duration, 1e-4) << i;
+    EXPECT_EQ(read->moves[i].wait, 0) << i;
+  }
+  EXPECT_EQ(read->moves[0].names, (std::vector<std::string>{"jtHome", "jtHome"}));
+  EXPECT_EQ(read->moves[1].names[1], "pApproach");
+  EXPECT_EQ(read->moves[7].names[0], "pRetreat");
+  EXPECT_TRUE(planDifferences(*read, *plan, true).empty());
+  // What stands still in the block stands twice in the motion, and later things come later.
+  const double end = readRapid(text)->duration();
+  for (const char* file : {"T_ROB1/BladeLeft.mod", "T_ROB2/BladeRight.mod"})
+    ASSERT_TRUE(
+        sample::replace(sample::file(text, file), "MoveL p0004", "WaitTime 5;\r\n        MoveL p0004"));
+  EXPECT_EQ(readRapidPlan(text)->moves[4].wait, 5);
+  const auto waits = readRapid(text);
+  ASSERT_TRUE(waits);
+  EXPECT_NEAR(waits->duration(), end + 5, 1e-9);
+  ASSERT_EQ(waits->instants.size(), 6u);
+  EXPECT_EQ(waits->instants[2].poses[0].position, waits->instants[3].poses[0].position);
+}
+
+TEST(ProgramPlan, WhatDiffersFromTheDesignIsNamed) {
+  const auto planned = planProgram(sample::motion(), sample::cell());
+  ASSERT_TRUE(planned);
+  const auto read = readRapidPlan(*writeRapid(*planned));
+  ASSERT_TRUE(read);
+  const auto told = [&](auto change) {
+    ProgramPlan other = *read;
+    change(other);
+    std::string text;
+    for (const Finding& finding : planDifferences(other, *planned, true)) {
+      const auto& breach = std::get<ProgramBreach>(finding.cause);
+      text += severityName(finding.severity) + std::string(" ") + breach.place + " " + breach.text + "\n";
+    }
+    return text;
+  };
+  const auto tells = [&](const std::string& text, std::initializer_list<const char*> words) {
+    for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << text;
+  };
+  tells(told([](ProgramPlan& p) { p.cell.tasks[1].home[2] += 0.1; }),
+        {"error T_ROB2", "\"jtHome\"", "axis 3 is 5.73 degrees off"});
+  tells(told([](ProgramPlan& p) { p.moves[1].poses[0].position.y() += 30; }),
+        {"error T_ROB1", "\"pApproach\"", "is 30 mm off"});
+  tells(told([](ProgramPlan& p) { p.moves.back().poses[1].position.z() -= 12; }),
+        {"error T_ROB2", "\"pRetreat\"", "is 12 mm off"});
+  tells(told([](ProgramPlan& p) { p.moves[4].poses[1].position.z() -= 0.5; }),
+        {"warning T_ROB2", "\"p0003\" is 0.5 mm off"});
+  tells(told([](ProgramPlan& p) { p.moves[4].duration = 12; }),
+        {"warning T_ROB1", "\"p0003\" lasts 12 s, in the design 8.375 s"});
+  tells(told([](ProgramPlan& p) { p.moves.pop_back(); }), {"error the program its retreat has 0 targets"});
+  tells(told([](ProgramPlan& p) { p.cell.workObject.position.x() += 4; }),
+        {"warning T_ROB1 the work object is 4 mm", "unless that is meant, write it anew"});
+  tells(told([](ProgramPlan& p) { p.cell.heatSignal.clear(); }),
+        {"error the program nothing switches the heat"});
+  tells(told([](ProgramPlan& p) { p.cell.heatSignal = "doLamp"; }),
+        {"error the program it switches \"doLamp\""});
+  tells(told([](ProgramPlan& p) { p.cell.heatDwell /= 2; }), {"warning the program the blade has "});
+  EXPECT_EQ(told([](ProgramPlan& p) { p.cell.heatDwell *= 2; }), "");
+  // Of a motion that robots do not run the targets alone are known.
+  ProgramPlan motion = *read;
+  motion.cell.heatSignal.clear();
+  motion.cell.tasks[0].home[0] += 1;
+  motion.moves[1].poses[0].position.y() += 30;
+  EXPECT_TRUE(planDifferences(motion, *planned, false).empty());
+}
+
 TEST(ProgramPlan, NoMoveIsFasterThanItSays) {
   const auto plan = planProgram(sample::motion(60), sample::cell());
   ASSERT_TRUE(plan);

@@ -115,17 +115,12 @@ struct HomeHold {
 /// The ends as at the first instant, but where the cell's home has the middle between them: so the blade
 /// begins in the shape that it keeps up to there.
 std::optional<HomeHold> holdAtHome(const Cell& cell, const std::vector<Pose>& first) {
-  if (!std::ranges::all_of(cell.tasks,
-                           [](const CellTask& task) { return task.arm && task.home.size() == 6; }))
-    return std::nullopt;
+  const std::optional<std::vector<Pose>> grips = gripsAtHome(cell);
+  if (!grips) return std::nullopt;
   const double share = 1.0 / double(first.size());
   Eigen::Vector3d way = Eigen::Vector3d::Zero();
-  const Pose world = inverse(cell.workObject);
-  for (std::size_t end = 0; end < first.size(); ++end) {
-    const CellTask& task = cell.tasks[end];
-    const Pose grip = placed(world, placed(task.base, placed(task.arm->flange(task.home), task.tool)));
-    way += share * (grip.position - first[end].position);
-  }
+  for (std::size_t end = 0; end < first.size(); ++end)
+    way += share * ((*grips)[end].position - first[end].position);
   HomeHold home{shifted(first, way), {}, {}};
   for (std::size_t end = 0; end < first.size(); ++end) {
     const CellTask& task = cell.tasks[end];
@@ -197,6 +192,17 @@ void roundTogether(std::vector<Pose>& poses, double bladeLength) {
 }
 
 }  // namespace
+
+std::optional<std::vector<Pose>> gripsAtHome(const Cell& cell) {
+  if (!std::ranges::all_of(cell.tasks,
+                           [](const CellTask& task) { return task.arm && task.home.size() == 6; }))
+    return std::nullopt;
+  const Pose world = inverse(cell.workObject);
+  std::vector<Pose> grips;
+  for (const CellTask& task : cell.tasks)
+    grips.push_back(placed(world, placed(task.base, placed(task.arm->flange(task.home), task.tool))));
+  return grips;
+}
 
 Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());

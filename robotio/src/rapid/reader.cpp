@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bw/core/base/units.h"
 #include "motion/motion_check.h"
 #include "rapid/linked_program.h"
 #include "rapid/module_head.h"
@@ -14,7 +15,67 @@ namespace bw::robotio {
 
 namespace {
 
-/// s to stand still after each of the synchronised moves of a task; before the first one nothing has moved.
+/// What a text is read to.
+struct ReadText {
+  ProgramPlan plan;
+  Motion motion;
+};
+
+/// "irb1600-pair" of "…, for irb1600-10-1.45 in the cell irb1600-pair."; empty where it is not told.
+std::string cellOfHead(std::string_view module) {
+  constexpr std::string_view kBefore = " in the cell ";
+  const std::string_view head = module.substr(0, 4096);
+  const std::size_t line = head.find("! Bladewright: ");
+  if (line == std::string_view::npos) return {};
+  const std::string_view text = head.substr(line, head.find_first_of("\r\n", line) - line);
+  const std::size_t at = text.find(kBefore);
+  if (at == std::string_view::npos || !text.ends_with('.')) return {};
+  return std::string(text.substr(at + kBefore.size(), text.size() - at - kBefore.size() - 1));
+}
+
+/// What a task brings to the cell: its tool, its work object and its home.
+CellTask cellTaskOf(const LinkedTask& task, Pose& workObject) {
+  CellTask known;
+  known.name = task.name;
+  for (const Step& step : task.steps) {
+    if (!step.isMove()) continue;
+    if (step.tool) {
+      known.tool = poseAt(*step.tool, kToolPosition, kToolRotation);
+      known.toolName = step.tool->name;
+    }
+    if (step.workObject && step.isLinear()) {
+      const Pose user = poseAt(*step.workObject, kObjectPosition, kObjectRotation),
+                 object = poseAt(*step.workObject, kObjectInnerPosition, kObjectInnerRotation);
+      workObject = {user.position + user.rotation * object.position, user.rotation * object.rotation};
+    }
+    // The last one before the block.
+    if (!step.synchronised && !step.isLinear() && step.target) {
+      known.home.clear();
+      for (std::size_t axis = 0; axis < kJointExternal; ++axis)
+        known.home.push_back(fromDegrees(step.target->numbers[axis]));
+    }
+    if (step.synchronised && step.tool && step.workObject) break;
+  }
+  return known;
+}
+
+/// What heats the blade before the synchronised block, and how long: the last signal that is set.
+void readHeat(const LinkedTask& task, Cell& cell) {
+  for (const Step& step : task.steps) {
+    const Statement& s = *step.statement;
+    if (s.kind == StatementKind::syncMoveOn) return;
+    if (s.kind == StatementKind::setSignal) {
+      cell.heatSignal = s.name;
+      cell.heatDwell = 0;
+    } else if (s.kind == StatementKind::resetSignal && sameName(s.name, cell.heatSignal)) {
+      cell.heatSignal.clear();
+    } else if (s.kind == StatementKind::waitTime && !cell.heatSignal.empty()) {
+      cell.heatDwell += s.duration.value_or(0);
+    }
+  }
+}
+
+/// s to stand still after each of the synchronised moves of a task; before the first ones nothing moves.
 std::vector<double> waitsOf(const LinkedTask& task) {
   std::vector<double> waits;
   for (const Step& step : task.steps) {
@@ -26,9 +87,7 @@ std::vector<double> waitsOf(const LinkedTask& task) {
   return waits;
 }
 
-}  // namespace
-
-Result<Motion> readRapid(const Program& program) {
+Result<ReadText> readText(const Program& program) {
   Breaches breaches;
   const std::vector<LinkedProgram> linked = linkProgram(program, breaches);
   if (linked.empty())
@@ -46,8 +105,10 @@ Result<Motion> readRapid(const Program& program) {
   }
   const LinkedProgram& strip = linked.front();
   const std::vector<const Step*> moves = synchronisedMoves(strip.tasks.front());
-  std::vector<std::vector<Pose>> poses(moves.size());
-  std::vector<double> zones(moves.size(), 0), waits(moves.size(), 0);  // of the ends the larger one
+  ReadText text;
+  Cell& cell = text.plan.cell;
+  std::vector<ProgramMove>& read = text.plan.moves;
+  read.resize(moves.size());
   for (const LinkedTask& task : strip.tasks) {
     const std::vector<const Step*> steps = synchronisedMoves(task);
     if (steps.size() != moves.size() ||
@@ -56,41 +117,80 @@ Result<Motion> readRapid(const Program& program) {
                   "the synchronised moves of task " + task.name + " are not " + std::to_string(moves.size()) +
                       " linear ones, as many as those of the first task",
                   task.folder);
-    const std::vector<double> stands = waitsOf(task);
+    const std::vector<double> waits = waitsOf(task);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      waits[i] = std::max(waits[i], stands[i]);
-      poses[i].push_back(poseOf(*steps[i]));
-      zones[i] = std::max(zones[i], steps[i]->zone);
+      read[i].poses.push_back(poseOf(*steps[i]));
+      read[i].zone = std::max(read[i].zone, steps[i]->zone);
+      read[i].names.emplace_back(steps[i]->statement->name);
+      read[i].wait = std::max(read[i].wait, waits[i]);
     }
+    Pose workObject;
+    cell.tasks.push_back(cellTaskOf(task, workObject));
+    if (cell.heatSignal.empty()) readHeat(task, cell);
+    if (&task == &strip.tasks.front()) cell.workObject = workObject;
   }
-  Motion motion;
+  for (const ProgramFile& file : program)
+    if (cell.name.empty()) cell.name = cellOfHead(file.bytes);
+  Motion& motion = text.motion;
   motion.bladeLength = checkRuns(strip, breaches);
   const auto way = [&](std::size_t from) -> Eigen::Vector3d {
-    return (poses[from + 1][0].position - poses[from][0].position).normalized();
+    return (read[from + 1].poses[0].position - read[from].poses[0].position).normalized();
   };
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Statement& s = *moves[i]->statement;
-    // In the middle of the path they are targets as any other.
-    if (i == 0 && sameName(s.name, kApproachTarget) && moves.size() > 1) {
+    ProgramMove& move = read[i];
+    move.speed = moves[i]->speed;
+    move.duration = i == 0 ? s.duration.value_or(0)
+                           : s.duration.value_or(farthest(read[i - 1].poses, move.poses) / move.speed);
+    if (i == 0 && sameName(s.name, kApproachTarget) && i + 1 < moves.size()) {
+      move.role = MoveRole::approach;
       motion.approach = way(i);
       continue;
     }
-    if (i > 0 && i + 1 == moves.size() && sameName(s.name, kRetreatTarget)) {
+    if (i + 1 == moves.size() && sameName(s.name, kRetreatTarget) && i > 0) {
+      move.role = MoveRole::retreat;
       motion.retreat = way(i - 1);
       continue;
     }
     if (motion.instants.empty()) {
-      motion.instants.push_back({0, -1, poses[i], 0});
+      move.role = MoveRole::approach;
+      motion.instants.push_back({0, -1, move.poses, 0});
     } else {
-      const double seconds = s.duration.value_or(farthest(poses[i - 1], poses[i]) / moves[i]->speed);
-      motion.cuttingSpeed = std::max(motion.cuttingSpeed, moves[i]->speed);
+      motion.cuttingSpeed = std::max(motion.cuttingSpeed, move.speed);
       motion.instants.push_back(
-          {motion.instants.back().time + seconds, -1, poses[i], waits[i] > 0 ? 0 : zones[i]});
+          {motion.instants.back().time + move.duration, -1, move.poses, move.wait > 0 ? 0 : move.zone});
     }
-    if (waits[i] > 0) motion.instants.push_back({motion.instants.back().time + waits[i], -1, poses[i], 0});
+    move.instant = int(motion.instants.size()) - 1;
+    if (move.wait > 0)
+      motion.instants.push_back({motion.instants.back().time + move.wait, -1, move.poses, 0});
   }
+  text.plan.bladeLength = motion.bladeLength;
+  ProgramMove home;
+  home.role = MoveRole::home;
+  for (const LinkedTask& task : strip.tasks) {
+    std::string name;
+    for (const Step& step : task.steps)
+      if (step.isMove() && !step.synchronised && !step.isLinear()) name = step.statement->name;
+    home.names.push_back(name);
+  }
+  read.insert(read.begin(), std::move(home));
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
-  return motion;
+  text.plan.cuttingTime = motion.cuttingTime();
+  return text;
+}
+
+}  // namespace
+
+Result<Motion> readRapid(const Program& program) {
+  Result<ReadText> text = readText(program);
+  if (!text) return tl::unexpected<Error>(text.error());
+  return std::move(text->motion);
+}
+
+Result<ProgramPlan> readRapidPlan(const Program& program) {
+  Result<ReadText> text = readText(program);
+  if (!text) return tl::unexpected<Error>(text.error());
+  return std::move(text->plan);
 }
 
 std::string runOfModule(std::string_view module) { return readRunHead(module).run; }

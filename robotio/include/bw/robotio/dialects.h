@@ -11,6 +11,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/motion/cell.h"
 #include "bw/core/motion/motion.h"
+#include "bw/robotio/motion/program_plan.h"
 #include "bw/robotio/text/program_text.h"
 
 namespace bw::robotio {
@@ -26,6 +27,9 @@ struct Dialect {
                            Findings* warnings);
   Result<Motion> (*read)(const Program& program);
   Findings (*check)(const Program& program);  ///< null where no robot runs it
+  /// What the text tells beside the motion: home, approach, retreat and the names of its targets; null where
+  /// it tells none.
+  Result<ProgramPlan> (*readPlan)(const Program& program);
   /// Those of the files of one folder that we wrote, as the heads of their texts (4 KB) tell.
   Program (*own)(const Program& heads);
 };

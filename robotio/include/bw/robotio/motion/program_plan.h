@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct ProgramMove {
   double turnSpeed = 0;     ///< rad/s that no end exceeds
   double zone = 0;          ///< mm before the target where the next move may begin; 0: the ends come to rest
   std::vector<Pose> poses;  ///< one a task
+  double wait = 0;          ///< s that the tasks stand still at its end
+  std::vector<std::string> names = {};  ///< of its targets, one a task, where a text was read
 };
 
 /// A robot program that is not text yet, in no dialect. It runs so: all tasks go home and wait for each
@@ -52,6 +55,17 @@ struct ProgramPlan {
 /// has tasks, one without the directions along which the cell wants the blade to come and go, and instants
 /// that are less than 0.1 ms apart.
 Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell);
+
+/// How the homes of a cell hold the ends of the blade, in the work object; empty where the kinematics of a
+/// robot are not known.
+std::optional<std::vector<Pose>> gripsAtHome(const Cell& cell);
+
+/// In what a program that was read differs from the plan of its design in the same cell: home, approach and
+/// retreat and what heats the blade, an error each, since no surface tells of them; the time to heat up,
+/// tools, work object and targets of the cut, a warning each. Places within 0.01 mm and 0.001° are the same.
+/// At most a handful of targets of the cut are told. Where it is not `ofText` but of a motion that robots do
+/// not run, the targets of the motion alone are compared.
+Findings planDifferences(const ProgramPlan& read, const ProgramPlan& planned, bool ofText);
 
 /// What can be said about how a motion lies in a cell: `WrongSide`, a warning for an end of the blade that is
 /// nearer to another robot than to its own, at the first or the last instant; `HomeUnknown`, one for robots

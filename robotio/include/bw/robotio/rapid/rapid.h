@@ -26,6 +26,11 @@ Result<Program> writeRapid(const ProgramPlan& plan, const ProgramNotes& notes = 
 /// their defaults.
 Result<Motion> readRapid(const Program& program);
 
+/// The same text as a plan, with the names of its targets and what stands still in the synchronised block: of
+/// its cell the name (where the head tells it), names, tools and homes of the tasks, the work object and the
+/// heat. `instant` of a move is that of the motion that `readRapid` gives.
+Result<ProgramPlan> readRapidPlan(const Program& program);
+
 /// Applies every rule that needs no robot kinematics (names, files, line ends, task lists, syncidents, IDs,
 /// durations, quaternions, zones, data) and reports each `ProgramBreach` with file and line. Files that
 /// cannot be parsed are a finding too, never a crash. A mark of `ProgramNotes::errors` is an error of kind
