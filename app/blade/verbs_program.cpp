@@ -7,6 +7,8 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/program_formats.h"
@@ -81,9 +83,70 @@ std::vector<std::filesystem::path> stripsBelow(const std::filesystem::path& prog
   return strips;
 }
 
+/// The design of the results that a path lies in, if it lies in any.
+std::string designAbout(const std::filesystem::path& path) {
+  constexpr int kHighest = 5;  // results/programs/column-1/strip-0/T_ROB1/file
+  std::error_code error;
+  std::filesystem::path at = std::filesystem::absolute(path, error).lexically_normal();
+  if (!at.has_filename()) at = at.parent_path();
+  for (int level = 0; level <= kHighest && !at.empty(); ++level, at = at.parent_path())
+    if (std::filesystem::exists(at / "design.bladewright", error)) return at.string();
+  return {};
+}
+
+/// True if a report says that a program or a motion is not as it was written.
+bool isChanged(const Findings& findings) {
+  return std::ranges::any_of(findings, [](const Finding& finding) {
+    const auto* mismatch = std::get_if<RunMismatch>(&finding.cause);
+    return mismatch && robotio::dialectOfFile(mismatch->file) &&
+           (mismatch->what == RunMismatch::What::changedModule ||
+            mismatch->what == RunMismatch::What::otherFile);
+  });
+}
+
+/// What breaks the rules of a program; of a motion that no robot runs, whether it can be read.
+Findings rulesOf(const robotio::Program& program) {
+  const robotio::Dialect* dialect =
+      program.size() == 1 ? robotio::dialectOfFile(program.front().path) : nullptr;
+  if (!dialect || dialect->check) return robotio::checkProgram(program);
+  const Result<Motion> motion = dialect->read(program);
+  if (motion) return {};
+  return {{Severity::error, ProgramBreach{"motion", program.front().path, motion.error().message}, {}, {}}};
+}
+
+/// What comes of a program that is not as its design had it written: it is run with the blade, and held
+/// against what was planned.
+Findings ranAgainst(const Session& session, const robotio::Program& program, const std::string& about) {
+  Findings findings;
+  const auto tell = [&](Severity severity, std::string clause) {
+    const std::string place = "the program";
+    if (clause.starts_with(place + ": ")) clause.erase(0, place.size() + 2);
+    findings.push_back({severity, ProgramBreach{"program-run", place, std::move(clause)}, {}, {}});
+  };
+  const auto unknown = [&](const Error& error) {
+    tell(Severity::error,
+         "it is not as it was written, and cannot be held against its design: " + error.message);
+    return findings;
+  };
+  const Result<Design> design = session.designOf(about);
+  if (!design) return unknown(design.error());
+  std::error_code error;
+  const std::optional<double> length =
+      std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
+  const Result<pipeline::ProgramRun> run = pipeline::runProgram(program, &*design, session.context(), length);
+  session.endProgress();
+  if (!run) return unknown(run.error());
+  // Rules that it breaks are told beside this.
+  for (std::size_t i = run->broken; i < run->exceeded.size(); ++i) tell(Severity::error, run->exceeded[i]);
+  for (const std::string& clause : run->warnings) tell(Severity::warning, clause);
+  return findings;
+}
+
 /// What is found about one folder or file.
-Result<Findings> findingsOf(const std::filesystem::path& path) {
+Result<Findings> findingsOf(const Session& session, const std::filesystem::path& path) {
   Findings findings = pipeline::compareWithReport(path);
+  const bool changed = isChanged(findings);
+  const std::string about = changed ? designAbout(path) : std::string();
   std::error_code error;
   const bool isResult = pipeline::isResultFolder(path);
   if (isResult && !holdsPrograms(path)) return findings;  // the design has none
@@ -96,7 +159,9 @@ Result<Findings> findingsOf(const std::filesystem::path& path) {
     if (places.size() > 1 && !holdsPrograms(place)) continue;
     const Result<robotio::Program> program = robotio::loadProgram(place);
     if (!program) return tl::unexpected<Error>(program.error());
-    Findings broken = robotio::checkProgram(*program);
+    Findings broken = rulesOf(*program);
+    if (!about.empty())
+      for (Finding& finding : ranAgainst(session, *program, about)) broken.push_back(std::move(finding));
     if (places.size() > 1)
       for (Finding& finding : broken) finding.where.block = place.lexically_relative(path).string();
     findings.insert(findings.end(), broken.begin(), broken.end());
@@ -107,7 +172,7 @@ Result<Findings> findingsOf(const std::filesystem::path& path) {
 int runCheck(const Session& session, const std::vector<std::string>& paths) {
   int status = kDone;
   for (const std::string& path : paths) {
-    const Result<Findings> findings = findingsOf(path);
+    const Result<Findings> findings = findingsOf(session, path);
     if (!findings) return session.complain(findings.error());
     for (const Finding& finding : *findings)
       std::cout << printable(path + ": " + severityName(finding.severity) + ": " + words::placeText(finding) +
@@ -123,17 +188,6 @@ int runCheck(const Session& session, const std::vector<std::string>& paths) {
 struct SimulateOptions {
   std::string path, design, out;
 };
-
-/// The design of the results that a path lies in, if it lies in any.
-std::string designAbout(const std::filesystem::path& path) {
-  constexpr int kHighest = 5;  // results/programs/column-1/strip-0/T_ROB1/file
-  std::error_code error;
-  std::filesystem::path at = std::filesystem::absolute(path, error).lexically_normal();
-  if (!at.has_filename()) at = at.parent_path();
-  for (int level = 0; level <= kHighest && !at.empty(); ++level, at = at.parent_path())
-    if (std::filesystem::exists(at / "design.bladewright", error)) return at.string();
-  return {};
-}
 
 int runSimulate(const Session& session, const SimulateOptions& options) {
   std::error_code error;
@@ -199,16 +253,18 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   }
   session.tell({});
   const Simulation& simulation = run->simulation;
-  for (const std::string& clause : run->exceeded) std::cerr << "error: " << clause << "\n";
+  for (const std::string& clause : run->exceeded) std::cerr << "error: " << printable(clause) << "\n";
+  for (const std::string& clause : run->warnings) std::cerr << "warning: " << printable(clause) << "\n";
   if (!design)
     std::cerr << "info: no design was given; the blade is run without weight, against no surface\n";
   std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
   if (simulation.halt) std::cerr << ", run up to " << shortText(simulation.halt->time, 4) << " s";
   if (run->surface && run->surface->covered > 0)
-    std::cerr << "; the program" << (run->alone ? "" : " of " + printable(run->block + ", " + run->cut))
-              << " cuts within " << shortText(run->surface->toDesignMax)
-              << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
-              << " mm of the target";
+    std::cerr << (run->around > 0 ? "; but for the ways around the cut and the heat, the program"
+                                  : "; the program")
+              << (run->alone ? "" : " of " + printable(run->block + ", " + run->cut)) << " cuts within "
+              << shortText(run->surface->toDesignMax) << " mm of the surface shown, within "
+              << shortText(run->surface->toTargetMax) << " mm of the target";
   if (!simulation.blades.empty())
     std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
   if (const BarrierLook* least = leastBarrier(run->barriers))

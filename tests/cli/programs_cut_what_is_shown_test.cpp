@@ -140,6 +140,22 @@ TEST_P(DesignsCutWhatIsShown, InEachOfTheirBlocks) {
   EXPECT_NEAR(summary["program_deviation_max_mm"].get<double>(), fromTarget, 0.02);
 }
 
+/// Designs of CAD files, with the cells that they ship with: from home to the end.
+TEST(ShippedExamples, OfCadFilesRunAsTheyAre) {
+  for (const char* name : {"ramp-corner-hollow", "torus-patch", "wavy-wall"}) {
+    const Folder folder;
+    const std::string design = folder / "design.bladewright", out = folder / "out";
+    ASSERT_EQ(blade({"example", name, "--out", design}).status, 0) << name;
+    const Finished made = blade({"design", design, "--out", out});
+    EXPECT_EQ(made.status, 0) << name << made.err;
+    const Finished run = blade({"simulate", out});
+    EXPECT_EQ(run.status, 0) << name << run.err;
+    EXPECT_TRUE(json::parse(run.out)["warnings"].empty()) << name << run.err;
+    const Finished check = blade({"check", out});
+    EXPECT_EQ(check.status, 0) << name << check.out;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Gallery, DesignsCutWhatIsShown,
                          testing::Values("single-block", "block-wall", "ripple-along", "ripple-across",
                                          "ruled-between-curves", "twist", "bump", "key-blade-fan",

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -43,6 +45,8 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
     if (rapid.is_null()) rapid = told;
     EXPECT_EQ(told["entry"], "decided");
     EXPECT_TRUE(told["snaps"].empty() && told["exceeded"].empty());
+    // CSV alone tells no approach and no retreat.
+    EXPECT_EQ(told["warnings"].size(), path.ends_with(".csv") ? 1u : 0u) << told["warnings"];
     EXPECT_TRUE(told["barrier_min_Nmm"].is_null()) << "its shape is the only one";
     EXPECT_GE(told["barriers"].size(), 9u);
     const json& surface = told["surface"];
@@ -194,6 +198,185 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   EXPECT_NE(run.err.find("no part of the blade comes over"), std::string::npos) << run.err;
   EXPECT_EQ(run.err.find("cuts within"), std::string::npos) << run.err;
   EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
+}
+
+constexpr const char* kOther = "out/programs/strip-0/T_ROB2/BladeRight.mod";
+
+/// A module with a number of a target changed: of its position, or of the angles of a home.
+std::string changedNumber(std::string text, const std::string& name, int number, double by) {
+  std::size_t at = text.find(" " + name + " := [[");
+  EXPECT_NE(at, std::string::npos) << name;
+  at = text.find("[[", at) + 2;
+  for (int k = 0; k < number; ++k) at = text.find(',', at) + 1;
+  const std::size_t end = text.find_first_of(",]", at);
+  text.replace(at, end - at, std::to_string(std::stod(text.substr(at, end - at)) + by));
+  return text;
+}
+
+void expectTold(const Finished& run, int status, const std::string& text,
+                std::initializer_list<const char*> words) {
+  EXPECT_EQ(run.status, status) << text;
+  for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+}
+
+TEST(Simulate, TheWayToTheBlockAndFromItIsRunAndHeldAgainstTheDesign) {
+  const Folder folder;
+  rationalizeTo(folder);
+  const std::string left = slurp(folder / kModule), right = slurp(folder / kOther);
+  const auto write = [&](const std::string& first, const std::string& second) {
+    folder.write(kModule, first);
+    folder.write(kOther, second);
+  };
+  const auto both = [&](std::initializer_list<const char*> words) {
+    const Finished run = blade({"simulate", folder / "out"});
+    expectTold(run, 1, run.err, words);
+    const Finished check = blade({"check", folder / "out"});
+    expectTold(check, 1, check.out, words);
+  };
+  // Both ends 230 mm farther: the approach begins in the block.
+  write(changedNumber(left, "pApproach", 1, 230), changedNumber(right, "pApproach", 1, 230));
+  both({"on the way to \"pApproach\" the blade meets the block \"block-1\"", " mm deep; take the targets",
+        "the target \"pApproach\", by which the blade comes to the block, is 230 mm off"});
+  // The retreat leads back.
+  write(changedNumber(left, "pRetreat", 1, -400), changedNumber(right, "pRetreat", 1, -400));
+  both({"on the way to \"pRetreat\" the blade meets the block", "\"pRetreat\", by which the blade leaves"});
+  // One end only: the blade is bent on the way.
+  write(left, changedNumber(right, "pRetreat", 2, 30));
+  both({"rapid-rule-19", "is 30 mm off the one that the design planned"});
+  // Ends that are pulled apart.
+  write(changedNumber(left, "pApproach", 0, 90), right);
+  both({"on the way to \"pApproach\" the grips come ", "it would tear"});
+  write(changedNumber(left, "jtHome", 3, 4), right);
+  both({"the home \"jtHome\" is not the one that the design planned: its axis 4 is 4 degrees off"});
+  // A way that is only a little other keeps clear of the block, and is not the one planned all the same.
+  write(changedNumber(left, "pApproach", 1, -10), changedNumber(right, "pApproach", 1, -10));
+  const Finished longer = blade({"simulate", folder / "out"});
+  expectTold(longer, 1, longer.err, {"is 10 mm off the one that the design planned"});
+  EXPECT_EQ(longer.err.find("meets the block"), std::string::npos) << longer.err;
+  // Another work object leaves the blade as it lies.
+  const auto shiftedObject = [](std::string text) {
+    const std::string object = "[[1650.0000,";
+    text.replace(text.find(object), object.size(), "[[1655.0000,");
+    return text;
+  };
+  write(shiftedObject(left), shiftedObject(right));
+  const Finished object = blade({"simulate", folder / "out"});
+  expectTold(object, 0, object.err, {"the work object is 5 mm off", "the cut lies as far off"});
+  // As it was written it is what the design planned.
+  write(left, right);
+  EXPECT_EQ(blade({"simulate", folder / "out"}).status, 0);
+  EXPECT_EQ(blade({"check", folder / "out"}).status, 0);
+
+  const std::string path = "out/programs/strip-0/motion.json";
+  json motion = json::parse(slurp(folder / path));
+  motion["approach"] = {0, 0.8, 0.6};
+  const Finished turned = blade({"simulate", folder.write(path, motion.dump())});
+  expectTold(turned, 1, turned.err, {"the approach is not the one that the design planned", "36.87° off"});
+  motion["approach"] = {0, -1, 0};
+  const Finished through = blade({"simulate", folder.write(path, motion.dump())});
+  expectTold(through, 1, through.err, {"180° off", "on the way to \"approach\" the blade meets the block"});
+  const Finished check = blade({"check", folder / path});
+  expectTold(check, 1, check.out, {"180° off", "meets the block"});
+}
+
+TEST(Simulate, AColdBladeIsTold) {
+  const Folder folder;
+  rationalizeTo(folder);
+  const std::string good = slurp(folder / kModule);
+  const auto with = [&](std::initializer_list<std::pair<const char*, const char*>> changes) {
+    std::string text = good;
+    for (const auto& [from, to] : changes)
+      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from))
+        text.replace(at, std::string(from).size(), to);
+    folder.write(kModule, text);
+    return std::pair(blade({"simulate", folder / "out"}), blade({"check", folder / "out"}));
+  };
+  const auto [cold, coldCheck] = with({{"        Set doBladeHeat;\r\n", ""},
+                                       {"        WaitTime 8;\r\n", ""},
+                                       {"        Reset doBladeHeat;\r\n", ""}});
+  expectTold(
+      cold, 1, cold.err,
+      {"nothing switches the heat \"doBladeHeat\" on", "but for the ways around the cut and the heat"});
+  expectTold(coldCheck, 1, coldCheck.out, {"the program: nothing switches the heat"});
+  const auto [other, otherCheck] = with({{"doBladeHeat", "doLamp"}});
+  expectTold(other, 1, other.err, {"it switches \"doLamp\" on", "is heated by \"doBladeHeat\""});
+  expectTold(otherCheck, 1, otherCheck.out, {"it switches \"doLamp\" on"});
+  const auto [soon, soonCheck] = with({{"WaitTime 8;", "WaitTime 1;"}});
+  expectTold(soon, 0, soon.err, {"the blade has 1 s to heat up, in the design 8 s"});
+  expectTold(soonCheck, 0, soonCheck.out, {"the blade has 1 s to heat up"});
+  const auto [never, neverCheck] = with({{"        WaitTime 8;\r\n", ""}});
+  expectTold(never, 1, never.err, {"rapid-rule-14", "the blade has 0 s to heat up"});
+  expectTold(neverCheck, 1, neverCheck.out, {"rapid-rule-14"});
+  // Other letters are the same name.
+  EXPECT_EQ(with({{"doBladeHeat", "DOBLADEHEAT"}}).first.status, 0);
+  // A cell that is not known.
+  const auto [lost, lostCheck] = with({{"in the cell irb1600-pair.", "in the cell my-cell."}});
+  expectTold(lost, 0, lost.err, {"it is for the cell \"my-cell\", the design is for \"irb1600-pair\""});
+  expectTold(lostCheck, 0, lostCheck.out, {"my-cell"});
+}
+
+TEST(Simulate, ABladeThatIsSlowerThanItsDesignOrStandsStillIsTold) {
+  const Folder folder;
+  rationalizeTo(folder);
+  const std::string left = slurp(folder / kModule), right = slurp(folder / kOther);
+  const auto changed = [&](std::string text, bool waits) {
+    std::size_t at = text.find("MoveL p0050\\ID");
+    EXPECT_NE(at, std::string::npos);
+    if (waits) return text.insert(at, "WaitTime 5;\r\n        ");
+    at = text.find("\\T:=", at) + 4;
+    const std::size_t end = text.find(',', at);
+    return text.replace(at, end - at, std::to_string(4 * std::stod(text.substr(at, end - at))).substr(0, 6));
+  };
+  const auto run = [&](bool waits) {
+    folder.write(kModule, changed(left, waits));
+    folder.write(kOther, changed(right, waits));
+    return blade({"simulate", folder / "out"});
+  };
+  const Finished slow = run(false);
+  expectTold(
+      slow, 0, slow.err,
+      {"warning: from \"p0049\" to \"p0050\", through the block \"block-1\"",
+       "to \"p0050\" the fastest point of the blade goes at 5 mm/s, in the time of the design at 20 mm/s",
+       "the move to \"p0050\" lasts "});
+  const Finished slowCheck = blade({"check", folder / "out"});
+  expectTold(slowCheck, 0, slowCheck.out, {"goes at 5 mm/s, in the time of the design at 20 mm/s"});
+  const Finished still = run(true);
+  expectTold(still, 1, still.err,
+             {"rapid-rule-13", "at \"p0049\" the hot blade stands still in the block \"block-1\" for 5 s"});
+  folder.write(kModule, left);
+  folder.write(kOther, right);
+
+  const std::string path = "out/programs/strip-0/motion.json";
+  const json good = json::parse(slurp(folder / path));
+  const std::size_t middle = good["instants"].size() / 2;
+  const auto later = [&](std::size_t from, double seconds) {
+    json motion = good;
+    for (std::size_t i = from; i < motion["instants"].size(); ++i)
+      motion["instants"][i]["time"] = motion["instants"][i]["time"].get<double>() + seconds;
+    return motion;
+  };
+  const Finished slower = blade({"simulate", folder.write(path, later(middle, 1).dump())});
+  expectTold(slower, 0, slower.err,
+             {"slower than its design", ("instants[" + std::to_string(middle) + "]").c_str()});
+  json waits = later(middle, 3);
+  waits["instants"].insert(waits["instants"].begin() + int(middle), waits["instants"][middle - 1]);
+  waits["instants"][middle]["time"] = good["instants"][middle - 1]["time"].get<double>() + 3;
+  const Finished stands = blade({"simulate", folder.write(path, waits.dump())});
+  expectTold(stands, 1, stands.err, {"the hot blade stands still in the block \"block-1\" for 3 s"});
+
+  // As a table: each time twice as late.
+  std::string table;
+  std::istringstream rows(slurp(folder / "out/programs/strip-0/motion.csv"));
+  for (std::string row; std::getline(rows, row);) {
+    const std::size_t comma = row.find(',');
+    table += (table.empty() ? row.substr(0, comma) : std::to_string(2 * std::stod(row.substr(0, comma)))) +
+             row.substr(comma) + "\n";
+  }
+  const Finished half =
+      blade({"simulate", folder.write("out/programs/strip-0/motion.csv", "\xEF\xBB\xBF" + table)});
+  expectTold(half, 0, half.err,
+             {"slower than its design", "the fastest point of the blade goes at 10 mm/s", "design at 20 mm/s",
+              "the move to \"line 3\" lasts ", "the way to the block and the way from it"});
 }
 
 TEST(Simulate, ExchangedGripsAreTold) {

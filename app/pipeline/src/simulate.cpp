@@ -21,6 +21,7 @@
 #include "bw/words/findings.h"
 #include "cut_stages.h"
 #include "make_files.h"
+#include "program_ways.h"
 
 namespace bw::pipeline {
 
@@ -33,10 +34,17 @@ constexpr double kAll = 0.999;        // of the travel of a surface
 constexpr double kRounded = 1e-3;     // of a margin
 constexpr double kFaster = 1.1;       // than the cutting speed: durations are rounded
 
+/// A program as it is read.
+struct ReadProgram {
+  const robotio::Dialect* dialect = nullptr;
+  robotio::Program files;
+  Motion motion;
+};
+
 /// `broken` gets what breaks the rules of its dialect.
-Result<Motion> readMotion(const robotio::Program& program, std::vector<std::string>& broken) {
+Result<ReadProgram> readProgram(const robotio::Program& program, std::vector<std::string>& broken) {
   for (const robotio::Dialect& dialect : robotio::dialects()) {
-    const robotio::Program files = robotio::filesOf(dialect, program);
+    robotio::Program files = robotio::filesOf(dialect, program);
     if (files.empty()) continue;
     if (dialect.check)
       for (const Finding& finding : dialect.check(files))
@@ -44,7 +52,9 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
           broken.push_back(words::placeText(finding) + ": " +
                            words::sentence(finding, words::Reader::commandLine) + " [" +
                            words::kindWord(finding) + "]");
-    return dialect.read(files);
+    Result<Motion> motion = dialect.read(files);
+    if (!motion) return tl::unexpected<Error>(motion.error());
+    return ReadProgram{&dialect, std::move(files), std::move(*motion)};
   }
   // Other tables and lists are refused by their names: what they tell is not known.
   return fail(ErrorCode::badInput, (program.empty() ? "there" : program.front().path) +
@@ -216,9 +226,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
                               const RunContext& context, std::optional<double> length,
                               const std::function<void(const ProgramRun&)>& seen) {
   std::vector<std::string> broken;
-  Result<Motion> motion = readMotion(program, broken);
-  if (!motion) return tl::unexpected<Error>(motion.error());
-  ProgramRun run{std::move(*motion), {}};
+  Result<ReadProgram> read = readProgram(program, broken);
+  if (!read) return tl::unexpected<Error>(read.error());
+  ProgramRun run{std::move(read->motion), {}};
   Outcome outcome;
   const CutEvaluation* cut = nullptr;
   Blade blade;
@@ -277,6 +287,11 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     run.exceeded = judge(*design, run.simulation, *surface);
     judgeBarriers(run.barriers, run.exceeded);
     judgeFloor(run.simulation, *cut, design->process.motionTolerance, run.exceeded);
+    const Result<Cell> cell = loadCell(design->output.cell);
+    const bool exchanged = gripsExchanged(run.motion, cut->motion.value.get());
+    const ProgramLook look{*read->dialect,          read->files, *design, *cut,
+                           cell ? &*cell : nullptr, exchanged,   blade,   weight};
+    if (Result<void> ok = judgeAround(run, look, context); !ok) return tl::unexpected<Error>(ok.error());
     // What would help is not sought here: a length is advised by the design alone, which tries it.
     Findings findings = outcome.evaluation.findings();
     for (Finding& finding : findings)
@@ -298,6 +313,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
         "poses "
         "of every instant");
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
+  run.broken = broken.size();
   if (const std::optional<Halt>& halt = run.simulation.halt)
     run.exceeded.push_back(haltText(*halt, run.motion.bladeLength));
   for (const RunStretch& at : run.simulation.crossings())
@@ -367,6 +383,7 @@ std::string simulationText(const ProgramRun& run) {
     addSpeeds(object["surface"], s.speeds);
   }
   object["exceeded"] = run.exceeded;
+  object["warnings"] = run.warnings;
   return object.dump(2) + "\n";
 }
 

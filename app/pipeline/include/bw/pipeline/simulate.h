@@ -41,15 +41,20 @@ struct ProgramRun {
   bool alone = true;  ///< true if the design has no other cut
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded = {};
+  std::size_t broken = 0;                  ///< of these, the first that break a rule
+  std::size_t around = 0;                  ///< of these, those of the ways around the cut and of the heat
+  std::vector<std::string> warnings = {};  ///< what is no limit: a clause each
 };
 
 /// Reads a program in the dialect of its files and runs it with the blade and the weight of a design, against
 /// the surface that the design shows and its target. Without a design the blade has no weight, and its shape
-/// alone is followed. Where the design leaves the length of its blade open, it is `length` (mm), that of the
-/// results that the program belongs to, or else what the program tells. Errors: those of reading, of the
-/// design's evaluation, of `simulate`; badInput where no dialect reads the files, or the blade's length is
-/// not that of the design. `seen` is called, on this thread, as soon as all is known that pictures and the
-/// surface tell, while energy barriers are still sought on others.
+/// alone is followed. With one the ways to the block and from it are run too, as far as the text tells them,
+/// and home, approach, retreat, targets and pace are held against what the design planned. Where the design
+/// leaves the length of its blade open, it is `length` (mm), that of the results that the program belongs to,
+/// or else what the program tells. Errors: those of reading, of the design's evaluation, of `simulate`;
+/// badInput where no dialect reads the files, or the blade's length is not that of the design. `seen` is
+/// called, on this thread, as soon as all is known that pictures and the surface tell, while energy barriers
+/// are still sought on others.
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
                               const RunContext& context, std::optional<double> length = std::nullopt,
                               const std::function<void(const ProgramRun&)>& seen = {});
