@@ -235,7 +235,19 @@ void RowProblem::solve() {
   solving_ = first_ = true;
   ceres::Solve(options, &problem_, &summary);
   solving_ = false;
+  stepBack();
   look();
+}
+
+void RowProblem::stepBack() {
+  for (std::size_t i = 0; i < stood_.size(); ++i) {
+    Station& station = *stations_[i];
+    const Vector6 numbers = Vector6::Map(station.numbers);
+    if (stood_[i].lookedAt != numbers) continue;
+    Vector6::Map(stood_[i].numbers) = numbers;
+    if (row_.isSettled(stood_[i])) station = std::move(stood_[i]);
+  }
+  stood_.clear();
 }
 
 std::optional<double> RowProblem::evaluate(std::vector<double>& residuals, ceres::CRSMatrix* slopes) {
@@ -245,10 +257,19 @@ std::optional<double> RowProblem::evaluate(std::vector<double>& residuals, ceres
 }
 
 void RowProblem::PrepareForEvaluation(bool slopes, bool isNew) {
-  if (!solving_)
+  if (!solving_) {
     look(slopes);
-  else if (isNew && !first_)
+    return;
+  }
+  if (isNew && !first_) {
+    if (stands_) {
+      stood_.clear();
+      for (const Station* station : stations_) stood_.push_back(*station);
+    }
+    stands_ = false;
     look();
+  }
+  stands_ = stands_ || slopes;  // which it asks for where it stands alone
   first_ = false;
 }
 

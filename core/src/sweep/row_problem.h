@@ -35,10 +35,14 @@ class RowProblem : ceres::EvaluationCallback {
 
  private:
   void PrepareForEvaluation(bool slopes, bool isNew) override;
+  /// Takes stations back to where the solver stands, whose last step is mostly none that it takes.
+  void stepBack();
 
   const Row& row_;
   std::vector<Station*> stations_;
   bool solving_ = false, first_ = true;  ///< where the solver begins they have been looked at
+  std::vector<Station> stood_;           ///< where it stood before the step that it looks at
+  bool stands_ = false;                  ///< it took the last step
   ceres::Problem problem_;               // last: it holds this
 };
 

@@ -98,6 +98,23 @@ void Row::step(Station& station, std::span<const Elastica::State> states) const 
   }
 }
 
+bool Row::isSettled(const Station& station) const {
+  constexpr double kSettled = 1e-8;  // of the blade
+  if (!station.good) return false;
+  std::array<Elastica::State, kStationPlaces> states;
+  if (station.branch) {
+    station.branch->blade().at(station.feet, states);
+  } else {
+    const std::optional<Elastica> blade = light(station);
+    if (!blade) return false;
+    blade->at(station.feet, states);
+  }
+  Station next = station;
+  step(next, states);
+  return std::ranges::equal(next.feet, station.feet,
+                            [this](double a, double b) { return std::abs(a - b) <= kSettled * length_; });
+}
+
 void Row::take(Station& station, std::size_t i) const {
   const PlanarCurve& section = sweep_.fits[i].target;
   const auto angleAt = [&](double t) {

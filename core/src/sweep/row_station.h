@@ -115,6 +115,8 @@ class Row {
   /// Looks at a station's numbers; without `slopes` the derivatives stay as they were, and of the margins
   /// that are watched is told what these say.
   void look(Station& station, bool slopes = true) const;
+  /// True if another look at the same numbers would find the feet where they are.
+  bool isSettled(const Station& station) const;
   /// True if the request asks for ends, tangents or length of the part that cuts.
   bool demands() const {
     const FitRequest& request = sweep_.request;
