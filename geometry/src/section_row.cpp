@@ -36,7 +36,7 @@ constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the b
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
 constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
-constexpr int kProbePlanes = 64;      // looked at for what holds of all
+constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
 constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
@@ -63,29 +63,23 @@ Box grown(Box box, double by) {
   return box;
 }
 
-/// The axes of a block, as its sizes are ordered.
-std::array<Eigen::Vector3d, 3> axesOf(const Box& block) {
-  return {block.frame.x, block.frame.y, block.frame.normal};
+/// Whether no plane is parallel to a face of the block.
+bool isSlanted(const PlaneFamily& planes, const Box& block) {
+  const Eigen::Vector3d along = block.frame.toLocal(block.frame.origin + planes.direction()).cwiseAbs();
+  return planes.turns() || along.maxCoeff() < 1 - kAlongEdge;
 }
 
-/// The box in which the planes between the block's first and its last one go through a window.
-Box regionOf(const PlaneFamily& planes, const BlockWindow& window) {
-  Box region = window.box;
-  if (window.endless < 0) return region;
-  const Eigen::Vector3d axis = axesOf(region)[std::size_t(window.endless)];
-  double low = 0, high = region.size[window.endless];
-  for (int k = 0; k <= kProbePlanes; ++k) {
-    const Frame plane = planes.at(std::lerp(planes.entry, planes.exit, double(k) / kProbePlanes));
-    for (const Eigen::Vector3d& corner : window.box.corners()) {
-      const double at = axis.dot(corner - region.frame.origin) +
-                        plane.normal.dot(plane.origin - corner) / plane.normal.dot(axis);
-      low = std::min(low, at);
-      high = std::max(high, at);
-    }
+/// The block with all that it may be carried over along the direction of slanted planes.
+Box regionOf(const PlaneFamily& planes, const Box& block) {
+  if (!isSlanted(planes, block)) return block;
+  Box region = block;
+  const double far = planes.exit - planes.entry;
+  const std::array axes = {block.frame.x, block.frame.y, block.frame.normal};
+  for (int k = 0; k < 3; ++k) {
+    const double by = far * std::abs(planes.direction().dot(axes[std::size_t(k)]));
+    region.frame.origin -= by * axes[std::size_t(k)];
+    region.size[k] += 2 * by;
   }
-  const double aside = (high - low) / kProbePlanes;  // of planes between those that were looked at
-  region.frame.origin += (low - aside) * axis;
-  region.size[window.endless] = high - low + 2 * aside;
   return region;
 }
 
@@ -237,21 +231,19 @@ Result<void> checkSetup(const Setup& setup) {
   return {};
 }
 
-BlockWindow windowOf(const PlaneFamily& planes, const Box& block) {
-  const Eigen::Vector3d along = block.frame.toLocal(block.frame.origin + planes.direction()).cwiseAbs();
-  BlockWindow window{block};
-  if (!planes.turns() && along.maxCoeff() > 1 - kAlongEdge) return window;
-  along.cwiseProduct(block.size).maxCoeff(&window.endless);
-  return window;
-}
-
-Sectioner::Sectioner(const Target::Impl& target, const BlockWindow& window, const PlaneFamily& planes)
+Sectioner::Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes)
     : target_(target),
       planes_(planes),
-      region_(regionOf(planes, window)),
-      window_(window),
-      block_{window.box} {
+      region_(regionOf(planes, block)),
+      window_{block},
+      block_{block},
+      slanted_(isSlanted(planes, block)) {
   if (!planes.turns()) parallel_.emplace(target, planes.direction(), region_);
+}
+
+void Sectioner::reachBy(double apart) {
+  const double all = planes_.exit - planes_.entry;
+  if (slanted_) window_.way = (planes_.turns() ? all : std::min(apart, all)) * planes_.direction();
 }
 
 Sectioner::Cutting Sectioner::at(double level) const {
@@ -331,7 +323,7 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
       parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
     }
   }
-  // Where the block is prolonged, what stays beside it does not count, unless that is all.
+  // What stays beside the block does not count, unless that is all.
   const auto comesIn = [&](const Part& part) {
     return std::ranges::any_of(part.samples, [&](const SectionSample& s) { return block_.holds(s.node.p); });
   };
@@ -537,9 +529,14 @@ Result<void> SectionRow::place(const Target& target) {
   return {};
 }
 
+void SectionRow::divide(int count, int fewest) {
+  count_ = count;
+  sectioner_.reachBy((last_ - first_) / (fewest - 1));
+}
+
 Result<void> SectionRow::divide(const SectionRequest& request) {
   if (!request.spacing) {
-    count_ = *request.stations;
+    divide(*request.stations, *request.stations);
     return {};
   }
   const double width = last_ - first_;
@@ -552,7 +549,8 @@ Result<void> SectionRow::divide(const SectionRequest& request) {
                     shortText(std::ceil(width / (SectionRequest::kMost - 1) * 100) / 100, 8) + " mm or more",
                 "stations", gaps + 1, SectionRequest::kMost);
   }
-  count_ = std::max(2, int(gaps) + 1);
+  const int count = std::max(2, int(gaps) + 1);
+  divide(count, count);
   return {};
 }
 

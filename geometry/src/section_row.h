@@ -35,20 +35,19 @@ struct SectionOutcome {
   bool followed() const { return section && section->chosen >= 0; }
 };
 
-/// The window of sections in a block. Where planes leave it across its corners it is the block prolonged
-/// along one axis, so that the corner between two planes lies between the ends of their sections, and these
-/// are about as long all along the row: along the axis that makes them no longer than the longest in the
-/// block.
-[[nodiscard]] BlockWindow windowOf(const PlaneFamily& planes, const Box& block);
-
 /// Cuts a target with the planes of a family, each to one open spline inside a window. Keeps references to
-/// `target` and `planes`. Immutable; cuts from several threads are safe.
+/// `target` and `planes`. Cuts from several threads are safe.
 class Sectioner {
  public:
-  Sectioner(const Target::Impl& target, const BlockWindow& window, const PlaneFamily& planes);
+  Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes);
 
-  /// True where planes leave the block across its corners.
-  bool slanted() const { return window_.endless >= 0; }
+  /// True where planes leave the block across its corners, so that what lies at one between two planes is in
+  /// the section of neither.
+  bool slanted() const { return slanted_; }
+  /// There, has sections go on as far as planes up to `apart` mm before and behind theirs are in the block,
+  /// so that it lies between their ends; where planes turn, as far as any plane, so that all sections are
+  /// about as long and no blade runs along itself to keep its middle in the block.
+  void reachBy(double apart);
 
   /// True if the plane meets the target within the block, or no farther beside it than `slack` mm.
   bool hits(double level, double slack = 0) const;
@@ -85,6 +84,7 @@ class Sectioner {
   Box region_;                           ///< where sections may go
   std::optional<PlaneCutter> parallel_;  ///< none where planes turn
   BlockWindow window_, block_;
+  bool slanted_;
 };
 
 /// The row of planes of a family through a target, evenly spaced from the first to the last place where they
@@ -93,13 +93,14 @@ class Sectioner {
 class SectionRow {
  public:
   SectionRow(const Target& target, const Setup& setup)
-      : planes_(setup.planes), sectioner_(target.impl(), windowOf(planes_, setup.block), planes_) {}
+      : planes_(setup.planes), sectioner_(target.impl(), setup.block, planes_) {}
   SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
 
   /// Finds where the row begins and ends: at first, and once.
   Result<void> place(const Target& target);
   /// How many planes it has, 2 or more, of its own or by a request that is not left to the tolerance.
-  void divide(int count) { count_ = count; }
+  /// Their sections serve rows of `fewest` of them, too.
+  void divide(int count, int fewest);
   Result<void> divide(const SectionRequest& request);
 
   int count() const { return count_; }

@@ -55,19 +55,27 @@ struct SectionSample {
   bool corner = false;  ///< a new run begins here
 };
 
-/// What of a section plane counts: its convex region in the block, or in the block as prolonged without end
-/// along one of its axes.
+/// What of a section plane counts: its convex region in the block, or in what the block sweeps as it is
+/// carried to and fro.
 struct BlockWindow {
   static constexpr double kSlack = 1e-6;  ///< mm that a curve may lie outside
 
   Box box;
-  int endless = -1;  ///< that axis of the box; −1: none
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< mm by which it is carried, to either side
 
   bool holds(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d q = box.frame.toLocal(p);
-    for (int k = 0; k < 3; ++k)
-      if (k != endless && (q[k] < -kSlack || q[k] > box.size[k] + kSlack)) return false;
-    return true;
+    const Eigen::Vector3d q = box.frame.toLocal(p), by = box.frame.toLocal(box.frame.origin + way);
+    double from = -1, to = 1;  // the shares of the way at which the block has it
+    for (int k = 0; k < 3; ++k) {
+      const double low = q[k] - box.size[k] - kSlack, high = q[k] + kSlack;
+      if (by[k] == 0) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      from = std::max(from, std::min(low / by[k], high / by[k]));
+      to = std::min(to, std::max(low / by[k], high / by[k]));
+    }
+    return from <= to;
   }
 };
 

@@ -118,13 +118,16 @@ std::optional<PlanarCurve> alongSection(const PlanarCurve& whole, const PlanarCu
 
 Result<void> followBeyond(const Target& target, const Setup& setup, double reach,
                           std::vector<Section>& sections, const RunContext& context) {
-  BlockWindow around = windowOf(setup.planes, setup.block);
-  const Frame& frame = setup.block.frame;
-  around.box.frame.origin -= reach * (frame.x + frame.y + frame.normal);
-  around.box.size.array() += 2 * reach;
+  Box around = setup.block;
+  around.frame.origin -= reach * (around.frame.x + around.frame.y + around.frame.normal);
+  around.size.array() += 2 * reach;
+  double apart = 0;  // the planes, at most
+  for (std::size_t i = 1; i < sections.size(); ++i)
+    apart = std::max(apart, sections[i].travel - sections[i - 1].travel);
   return guarded(ErrorCode::internal, "the sections cannot be followed beyond the block",
                  [&]() -> Result<void> {
-                   const Sectioner sectioner(target.impl(), around, setup.planes);
+                   Sectioner sectioner(target.impl(), around, setup.planes);
+                   sectioner.reachBy(apart);
                    return parallelFor(context, int(sections.size()), [&](int i) {
                      Section& section = sections[std::size_t(i)];
                      section.beyond.reset();

@@ -134,7 +134,7 @@ Result<StationCount> stationsFor(const Target& target, const Setup& setup, doubl
         StationCount count;
         std::vector<SectionOutcome> outcomes;
         for (int intervals = kFirstIntervals; intervals <= kLastIntervals; intervals *= 2) {
-          row.divide(intervals + 1);
+          row.divide(intervals + 1, StationCount::kLeast);
           std::vector<SectionOutcome> finer(std::size_t(intervals) + 1);
           const auto done = parallelFor(context, intervals + 1, [&](int i) {
             const bool known = i % 2 == 0 && !outcomes.empty();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bw/core/base/units.h"
@@ -220,16 +221,29 @@ TEST(Sections, GoOnBesideCornersAcrossWhichPlanesLeaveTheBlock) {
     Cut cut = cutOf(target, settings);
     ASSERT_EQ(cut.sections.size(), 15u);
     // From the plane that meets the first corner to the one that leaves the last.
+    const double all = (900 + 700 * aside) / std::hypot(1, aside);
     EXPECT_NEAR(cut.sections.front().travel, 0, 1e-9);
-    EXPECT_NEAR(cut.sections.back().travel, (900 + 700 * aside) / std::hypot(1, aside), 1e-9);
-    // As wide as the block, so that what lies between two planes lies between their sections too.
-    for (const Section& s : cut.sections) {
-      ASSERT_EQ(s.chosen, 0) << s.index;
-      for (const double t : {s.curve().start(), s.curve().end()}) {
-        const double y = s.frame.toWorld(s.curve().value(t)).y();
-        EXPECT_NEAR(std::min(std::abs(y - 300), std::abs(y - 1000)), 0, 1e-5);
+    EXPECT_NEAR(cut.sections.back().travel, all, 1e-9);
+    const auto ends = [](const Section& s) {
+      return std::array{s.frame.toWorld(s.curve().value(s.curve().start())),
+                        s.frame.toWorld(s.curve().value(s.curve().end()))};
+    };
+    for (std::size_t i = 0; i < cut.sections.size(); ++i) {
+      ASSERT_EQ(cut.sections[i].chosen, 0) << i;
+      if (i == 0) continue;
+      // What lies in the block between two planes lies between their ends.
+      const auto a = ends(cut.sections[i - 1]), b = ends(cut.sections[i]);
+      for (std::size_t end = 0; end < 2; ++end)
+        for (int k = 0; k <= 20; ++k) {
+          const Eigen::Vector3d p = a[end] + k / 20.0 * (b[end] - a[end]);
+          const double inside = std::min({p.x() - 1500, 2400 - p.x(), p.y() - 300, 1000 - p.y()});
+          EXPECT_LT(inside, 1e-5) << aside << " " << i << " " << k;
+        }
+      // Not much farther than that: what is beside the block is not asked for.
+      for (const Eigen::Vector3d& p : b) {
+        const double outside = std::max({1500 - p.x(), p.x() - 2400, 300 - p.y(), p.y() - 1000});
+        EXPECT_LT(outside, all / 14 + 1e-5);
       }
-      EXPECT_GT(s.curve().length(), 700);
     }
     EXPECT_LT(deviation(target, cut.sections), kAccuracy);
     ASSERT_TRUE(followBeyond(target, cut.setup, 150, cut.sections, {}));
