@@ -141,8 +141,10 @@ Through across(const SurfaceGrid& grid, double y) {
 }
 
 TEST(TurningDesign, RowsOneBehindTheOtherAreCompared) {
-  // In the face between the blocks their planes are turned, or lie in it.
-  for (const double turned : {6.0, 0.0}) {
+  // In the face between the blocks their planes are turned, or lie in it; or all are turned alike, so that
+  // the boundary begins and ends at corners that the outer planes touch.
+  using Turns = std::array<double, 5>;
+  for (const Turns& turns : {Turns{0, 5, 6, 5, 0}, Turns{0, 2, 0, 2, 0}, Turns{-10, -10, -10, -10, -10}}) {
     Design design = turning();
     design.grid.emplace();
     design.grid->sizes = {{{600}, {400, 400}, {500}}};
@@ -150,7 +152,6 @@ TEST(TurningDesign, RowsOneBehindTheOtherAreCompared) {
     Cut cut = design.cuts.front();
     cut.sections.stations = 17;
     design.cuts = cutsOf(design.stock, {cut}, {});
-    const std::array<double, 5> turns = {0, turned / 2 + 2, turned, turned / 2 + 2, 0};
     auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;
     for (std::size_t k = 0; k < turns.size(); ++k) blades[k].turn = fromDegrees(turns[k]);
     const Evaluation e = evaluated(design);

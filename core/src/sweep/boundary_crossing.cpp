@@ -22,8 +22,9 @@ using Eigen::Vector3d;
 constexpr double kSameLevel = 1e-6;  // mm
 constexpr double kAlong = 0.02;      // of a unit normal: less of it, and the boundary is run along
 constexpr double kStep = 1;          // mm of travel, over which the slope of a surface is taken
-constexpr int kPlaces = 41;          // of a blade that runs along the boundary
-constexpr double kRounding = 1e-6;   // mm
+constexpr int kPlaces = 41;          // of a blade that runs along the boundary, at least
+constexpr double kApart = 8;         // mm between these, at most
+constexpr double kRounding = 1e-3;   // mm
 
 Elastica::State stateAt(const BladePose& pose, double s) {
   const std::array<double, 1> arc = {s};
@@ -124,14 +125,18 @@ class Lines {
   ~Lines() { finish(); }
   void add(const Crossing& place) { line_.push_back(place); }
   void finish() {
-    if (line_.size() > 1) crossings_.lines.push_back(line_);
-    line_.clear();
+    if (!line_.empty()) crossings_.lines.push_back(std::exchange(line_, {}));
   }
 
  private:
   Crossings& crossings_;
   CrossingLine line_;
 };
+
+/// Arc lengths of places of the part that cuts, evenly.
+std::vector<double> placesOf(const BladePose& pose) {
+  return pose.cutArcs(std::max(kPlaces, 1 + int(std::ceil(pose.cut.length() / kApart))));
+}
 
 /// The arc lengths at which the part of a blade that cuts comes through a boundary itself.
 std::vector<double> ownCrossings(const BladePose& pose, const Boundary& boundary) {
@@ -140,7 +145,7 @@ std::vector<double> ownCrossings(const BladePose& pose, const Boundary& boundary
     return boundary.normal.dot(pose.frame.toWorld(stateAt(pose, arc).point) - boundary.point);
   };
   std::vector<double> found;
-  const std::vector<double> arcs = pose.cutArcs(kPlaces);
+  const std::vector<double> arcs = placesOf(pose);
   for (std::size_t k = 0; k + 1 < arcs.size(); ++k) {
     double a = arcs[k], b = arcs[k + 1];
     const bool behind = away(a) < 0;
@@ -166,23 +171,30 @@ void addBetween(const RowBoundary& at, RowBlades& blades, const BladePose& from,
     const double far = at.boundary.normal.dot(p - at.boundary.point);
     return std::abs(far) < kRounding ? 0 : far;
   };
+  struct Start {
+    double arc, foot;  ///< of the one blade, and of the place of the other one that is nearest
+  };
+  std::vector<Start> starts;
+  const auto start = [&](double arc) {
+    const Vector3d place = from.frame.toWorld(stateAt(from, arc).point);
+    starts.push_back({arc, footOn(to, place, sameShare(from, arc, to))});
+  };
+  for (const double arc : placesOf(from)) start(arc);
   // Where a blade itself comes through, the places of both sides of it are to follow each other.
-  std::vector<double> arcs = from.cutArcs(kPlaces);
-  for (const double arc : ownCrossings(from, at.boundary)) arcs.push_back(arc);
-  for (const double arc : ownCrossings(to, at.boundary)) {
-    const double foot = footOn(from, to.frame.toWorld(stateAt(to, arc).point), sameShare(to, arc, from));
-    if (foot > from.before && foot < from.before + from.cut.length()) arcs.push_back(foot);
+  for (const double arc : ownCrossings(from, at.boundary)) start(arc);
+  for (const double foot : ownCrossings(to, at.boundary)) {
+    const double arc = footOn(from, to.frame.toWorld(stateAt(to, foot).point), sameShare(to, foot, from));
+    if (arc > from.before && arc < from.before + from.cut.length()) starts.push_back({arc, foot});
   }
-  std::ranges::sort(arcs);
+  std::ranges::sort(starts, {}, &Start::arc);
   Lines lines(crossings);
-  for (const double arc : arcs) {
+  for (const auto& [arc, foot] : starts) {
     const Elastica::State state = stateAt(from, arc);
     const Vector3d begin = from.frame.toWorld(state.point);
     if (std::abs(away(begin)) > kSteepest * std::abs(step)) {
       lines.finish();
       continue;
     }
-    const double foot = footOn(to, begin, sameShare(from, arc, to));
     const Vector3d end = to.frame.toWorld(stateAt(to, foot).point);
     const bool cut = foot >= to.before && foot <= to.before + to.cut.length();
     if ((beyond && cut) || away(begin) * away(end) > 0 || away(begin) == away(end)) {
@@ -223,7 +235,7 @@ void addEnd(const RowBoundary& at, bool front, Crossings& crossings) {
   constexpr double kTouches = 0.1;  // mm
   constexpr double kBack = 1e-3;    // mm: a little inside of the row, too
   const BladePose& end = front ? at.sweep.poses.front() : at.sweep.poses.back();
-  const std::vector<double> arcs = end.cutArcs(kPlaces);
+  const std::vector<double> arcs = placesOf(end);
   std::vector<Elastica::State> states(arcs.size());
   end.at(arcs, states);
   if (std::ranges::none_of(states, [&](const Elastica::State& state) {
