@@ -190,7 +190,8 @@ TEST(TurningRow, GoesOnLiveAndThroughTheWholeBlock) {
   EXPECT_GT(begins.normalized().dot(made.sweep.poses.front().frame.normal), 0.99);
 }
 
-/// The row of a part of the block on a sphere: of each plane the part of its section between two bounds.
+/// The row of a part of the block on a sphere: of each plane that comes into the part, and of the next ones
+/// before and behind, the section over all of its width.
 Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
   const Box box{Frame{low}, high - low};
   const PlaneFamily planes = PlaneFamily::turning(box, test::fanAlongY(kReach, kTurn)).value();
@@ -200,16 +201,17 @@ Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
     Section section{i, planes.travel(level), planes.at(level), {}, -1};
     const Frame& frame = section.frame;
     std::vector<Eigen::Vector2d> points;
+    bool comesIn = false;
     constexpr int kFine = 4000;
+    constexpr double kApart = 2 * kReach / (kStations - 1);
     for (int k = 0; k <= kFine; ++k) {
       const double x = 400 * (2.0 * k / kFine - 1);
       const Vector3d flat = frame.toWorld(Eigen::Vector2d(x, 0));
-      if ((flat.head<2>().array() < low.head<2>().array()).any() ||
-          (flat.head<2>().array() > high.head<2>().array()).any())
-        continue;
+      if (flat.x() < low.x() || flat.x() > high.x()) continue;
+      comesIn = comesIn || (flat.y() >= low.y() - kApart && flat.y() <= high.y() + kApart);
       points.emplace_back(x, std::sqrt(radius * radius - flat.head<2>().squaredNorm()) - flat.z());
     }
-    if (points.size() > 100) {
+    if (comesIn) {
       section.branches = {*PlanarCurve::points(points)};
       section.chosen = 0;
     }
@@ -237,13 +239,23 @@ TEST(TurningRow, MeetsThatOfTheBlockBesideIt) {
   EXPECT_NEAR(off.gapMax(), 1, 0.1);
 }
 
-TEST(TurningRow, IsNotComparedWithThatOfTheBlockBehindIt) {
-  const Sweep one = partOf({-260, -240, 0}, {260, 30, 2 * kRadius}, kRadius),
-              other = partOf({-260, 30, 0}, {260, 240, 2 * kRadius}, kRadius);
-  const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
-  EXPECT_TRUE(joints.joints.empty());
-  ASSERT_EQ(joints.findings.size(), 1u);
-  EXPECT_EQ(std::get<JointUnknown>(joints.findings[0].cause).places, 1);
+TEST(TurningRow, MeetsThatOfTheBlockBehindIt) {
+  const Vector3d low{-260, -240, 0}, high{260, 240, 2 * kRadius};
+  for (const double at : {30.0, -20.0}) {
+    const Vector3d end(high.x(), at, high.z()), begin(low.x(), at, low.z());
+    const Sweep one = partOf(low, end, kRadius), other = partOf(begin, high, kRadius),
+                raised = partOf(begin, high, kRadius + 1);
+    const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
+    EXPECT_TRUE(joints.findings.empty());
+    ASSERT_EQ(joints.joints.size(), 1u);
+    EXPECT_GT(joints.joints[0].places, 40);
+    EXPECT_EQ(joints.joints[0].open, 0);
+    EXPECT_LT(joints.gapMax(), 0.05);
+    EXPECT_LT(joints.kinkMax(), fromDegrees(0.3));
+    const Joints off = measureJoints({{"one", "cut", &one}, {"other", "cut", &raised}}, {}, {}).value();
+    ASSERT_EQ(off.joints.size(), 1u);
+    EXPECT_NEAR(off.gapMax(), 1, 0.1);
+  }
 }
 
 }  // namespace
