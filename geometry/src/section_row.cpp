@@ -40,29 +40,6 @@ constexpr int kProbePlanes = 64;      // tried when no sample of the target lies
 constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
-/// The middle, as a share of the way, of what of the straight line between two places lies in a box, if any.
-std::optional<double> shareIn(const Box& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const Eigen::Vector3d from = box.frame.toLocal(a), way = box.frame.toLocal(b) - from;
-  double first = 0, last = 1;
-  for (int k = 0; k < 3; ++k) {
-    if (way[k] == 0) {
-      if (from[k] < 0 || from[k] > box.size[k]) return {};
-      continue;
-    }
-    const double low = -from[k] / way[k], high = (box.size[k] - from[k]) / way[k];
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
-  if (first > last) return {};
-  return std::midpoint(first, last);
-}
-
-Box grown(Box box, double by) {
-  box.frame.origin -= by * (box.frame.x + box.frame.y + box.frame.normal);
-  box.size.array() += 2 * by;
-  return box;
-}
-
 /// Whether no plane is parallel to a face of the block.
 bool isSlanted(const PlaneFamily& planes, const Box& block) {
   const Eigen::Vector3d along = block.frame.toLocal(block.frame.origin + planes.direction()).cwiseAbs();
@@ -216,6 +193,12 @@ void join(Finding& all, const Finding& one) {
 
 }  // namespace
 
+Box grown(Box box, double by) {
+  box.frame.origin -= by * (box.frame.x + box.frame.y + box.frame.normal);
+  box.size.array() += 2 * by;
+  return box;
+}
+
 Result<void> checkSetup(const Setup& setup) {
   const Frame& plane = setup.planes.frame;
   if (!(std::abs(plane.normal.norm() - 1) < kNoLength) || !plane.x.allFinite() || !plane.y.allFinite())
@@ -267,9 +250,12 @@ bool Sectioner::hits(double level, double slack) const {
   for (const LevelPiece& piece : cut.pieces)
     for (std::size_t k = piece.closed ? 0 : 1; k < piece.nodes.size(); ++k) {
       const LevelNode &a = piece.nodes[k > 0 ? k - 1 : piece.nodes.size() - 1], &b = piece.nodes[k];
-      const std::optional<double> share = shareIn(block.box, a.p, b.p);
+      const Frame& frame = block.box.frame;
+      const auto part = lineInBox(block.box.size, frame.toLocal(a.p), frame.toLocal(b.p), 0);
       LevelNode node;
-      if (share && cutting.cutter->between(piece.face, a, b, *share, cutting.level, node) &&
+      if (part &&
+          cutting.cutter->between(piece.face, a, b, std::midpoint((*part)[0], (*part)[1]), cutting.level,
+                                  node) &&
           block.holds(node.p))
         return true;
     }

@@ -35,6 +35,9 @@ struct SectionOutcome {
   bool followed() const { return section && section->chosen >= 0; }
 };
 
+/// The box with so many mm more on all sides.
+Box grown(Box box, double by);
+
 /// Cuts a target with the planes of a family, each to one open spline inside a window. Keeps references to
 /// `target` and `planes`. Cuts from several threads are safe.
 class Sectioner {

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <vector>
 
 #include "bw/core/base/frame.h"
+#include "bw/core/base/line_in_box.h"
 #include "bw/core/base/result.h"
 #include "bw/core/curve/planar_curve.h"
 #include "level_curves.h"
@@ -64,18 +64,7 @@ struct BlockWindow {
   Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< mm by which it is carried, to either side
 
   bool holds(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d q = box.frame.toLocal(p), by = box.frame.toLocal(box.frame.origin + way);
-    double from = -1, to = 1;  // the shares of the way at which the block has it
-    for (int k = 0; k < 3; ++k) {
-      const double low = q[k] - box.size[k] - kSlack, high = q[k] + kSlack;
-      if (by[k] == 0) {
-        if (low > 0 || high < 0) return false;
-        continue;
-      }
-      from = std::max(from, std::min(low / by[k], high / by[k]));
-      to = std::min(to, std::max(low / by[k], high / by[k]));
-    }
-    return from <= to;
+    return lineInBox(box.size, box.frame.toLocal(p - way), box.frame.toLocal(p + way), kSlack).has_value();
   }
 };
 

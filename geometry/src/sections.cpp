@@ -118,9 +118,7 @@ std::optional<PlanarCurve> alongSection(const PlanarCurve& whole, const PlanarCu
 
 Result<void> followBeyond(const Target& target, const Setup& setup, double reach,
                           std::vector<Section>& sections, const RunContext& context) {
-  Box around = setup.block;
-  around.frame.origin -= reach * (around.frame.x + around.frame.y + around.frame.normal);
-  around.size.array() += 2 * reach;
+  const Box around = grown(setup.block, reach);
   double apart = 0;  // the planes, at most
   for (std::size_t i = 1; i < sections.size(); ++i)
     apart = std::max(apart, sections[i].travel - sections[i - 1].travel);

@@ -191,8 +191,8 @@ TEST(TurningRow, GoesOnLiveAndThroughTheWholeBlock) {
 }
 
 /// The row of a part of the block on a sphere: of each plane that comes into the part, and of the next ones
-/// before and behind, the section over all of its width.
-Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
+/// before and behind, the section over all of its width, or until an x.
+Sweep partOf(const Vector3d& low, const Vector3d& high, double radius, double until = 1e9) {
   const Box box{Frame{low}, high - low};
   const PlaneFamily planes = PlaneFamily::turning(box, test::fanAlongY(kReach, kTurn)).value();
   std::vector<Section> sections;
@@ -207,7 +207,7 @@ Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
     for (int k = 0; k <= kFine; ++k) {
       const double x = 400 * (2.0 * k / kFine - 1);
       const Vector3d flat = frame.toWorld(Eigen::Vector2d(x, 0));
-      if (flat.x() < low.x() || flat.x() > high.x()) continue;
+      if (flat.x() < low.x() || flat.x() > std::min(high.x(), until)) continue;
       comesIn = comesIn || (flat.y() >= low.y() - kApart && flat.y() <= high.y() + kApart);
       points.emplace_back(x, std::sqrt(radius * radius - flat.head<2>().squaredNorm()) - flat.z());
     }
@@ -223,38 +223,40 @@ Sweep partOf(const Vector3d& low, const Vector3d& high, double radius) {
   return buildSweep(sections, settings, box, planes, {}, findings).value();
 }
 
-TEST(TurningRow, MeetsThatOfTheBlockBesideIt) {
-  const Sweep one = partOf({-260, -240, 0}, {0, 240, 2 * kRadius}, kRadius),
-              other = partOf({0, -240, 0}, {260, 240, 2 * kRadius}, kRadius),
-              raised = partOf({0, -240, 0}, {260, 240, 2 * kRadius}, kRadius + 1);
-  const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
+Joints jointsOf(const Sweep& one, const Sweep& other) {
+  return measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
+}
+
+/// What is told of rows that meet, and of one beside it that lies a millimetre higher.
+void expectMeets(const Sweep& one, const Sweep& other, const Sweep& raised) {
+  const Joints joints = jointsOf(one, other), off = jointsOf(one, raised);
   EXPECT_TRUE(joints.findings.empty());
   ASSERT_EQ(joints.joints.size(), 1u);
   EXPECT_GT(joints.joints[0].places, 40);
   EXPECT_EQ(joints.joints[0].open, 0);
   EXPECT_LT(joints.gapMax(), 0.05);
   EXPECT_LT(joints.kinkMax(), fromDegrees(0.3));
-  const Joints off = measureJoints({{"one", "cut", &one}, {"other", "cut", &raised}}, {}, {}).value();
   ASSERT_EQ(off.joints.size(), 1u);
   EXPECT_NEAR(off.gapMax(), 1, 0.1);
 }
 
+TEST(TurningRow, MeetsThatOfTheBlockBesideIt) {
+  const Vector3d begin(0, -240, 0), end(260, 240, 2 * kRadius);
+  expectMeets(partOf({-260, -240, 0}, {0, 240, 2 * kRadius}, kRadius), partOf(begin, end, kRadius),
+              partOf(begin, end, kRadius + 1));
+}
+
 TEST(TurningRow, MeetsThatOfTheBlockBehindIt) {
-  const Vector3d low{-260, -240, 0}, high{260, 240, 2 * kRadius};
+  const Vector3d low(-260, -240, 0), high(260, 240, 2 * kRadius);
   for (const double at : {30.0, -20.0}) {
     const Vector3d end(high.x(), at, high.z()), begin(low.x(), at, low.z());
-    const Sweep one = partOf(low, end, kRadius), other = partOf(begin, high, kRadius),
-                raised = partOf(begin, high, kRadius + 1);
-    const Joints joints = measureJoints({{"one", "cut", &one}, {"other", "cut", &other}}, {}, {}).value();
-    EXPECT_TRUE(joints.findings.empty());
-    ASSERT_EQ(joints.joints.size(), 1u);
-    EXPECT_GT(joints.joints[0].places, 40);
-    EXPECT_EQ(joints.joints[0].open, 0);
-    EXPECT_LT(joints.gapMax(), 0.05);
-    EXPECT_LT(joints.kinkMax(), fromDegrees(0.3));
-    const Joints off = measureJoints({{"one", "cut", &one}, {"other", "cut", &raised}}, {}, {}).value();
-    ASSERT_EQ(off.joints.size(), 1u);
-    EXPECT_NEAR(off.gapMax(), 1, 0.1);
+    const Sweep one = partOf(low, end, kRadius);
+    expectMeets(one, partOf(begin, high, kRadius), partOf(begin, high, kRadius + 1));
+    // One that ends 60 mm before the side of its block.
+    const Joints open = jointsOf(one, partOf(begin, high, kRadius, 200));
+    ASSERT_EQ(open.joints.size(), 1u);
+    EXPECT_GT(open.joints[0].open, 2);
+    EXPECT_GT(open.joints[0].openAt.x(), 200);
   }
 }
 

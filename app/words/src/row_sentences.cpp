@@ -494,9 +494,8 @@ std::string Sentences::operator()(const JointOpen& cause) const {
 std::string Sentences::operator()(const JointUnknown& cause) const {
   return "how the surface passes from " + cause.one + " to " + cause.other + " is not compared at " +
          std::to_string(cause.places) + (cause.places == 1 ? " place" : " places") +
-         " of their boundary, because it runs along that, or its blades are not known there; look at both "
-         "cut "
-         "surfaces there, or put the boundary elsewhere";
+         " of their boundary, because it runs along that or its blades are not known there; look at both "
+         "cut surfaces there, or put the boundary elsewhere";
 }
 
 std::string Sentences::operator()(const KerfUnsettled& cause) const {

@@ -6,8 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
+
+#include "bw/core/base/line_in_box.h"
 
 namespace bw {
 
@@ -23,23 +24,6 @@ constexpr int kWithin = 4;  // parts of a piece that lies inside
 /// mm below the nearest face; negative outside.
 double depthAt(const Vector3d& size, const Vector3d& local) {
   return std::min(local.minCoeff(), (size - local).minCoeff());
-}
-
-/// The part of the way from a to b inside of the box, as shares of it; empty if it misses it.
-std::optional<std::pair<double, double>> inside(const Vector3d& size, const Vector3d& a, const Vector3d& b) {
-  double from = 0, to = 1;
-  for (int k = 0; k < 3; ++k) {
-    const double way = b[k] - a[k], low = kTouch - a[k], high = size[k] - kTouch - a[k];
-    if (way == 0) {
-      if (low > 0 || high < 0) return {};
-      continue;
-    }
-    const auto [in, out] = std::minmax({low / way, high / way});
-    from = std::max(from, in);
-    to = std::min(to, out);
-    if (from > to) return {};
-  }
-  return std::pair(from, to);
 }
 
 std::vector<Vector3d> inBlock(const Box& block, std::span<const Vector3d> points) {
@@ -71,9 +55,9 @@ std::optional<BlockContact> contactOnWay(const Box& block, std::span<const Vecto
     Vector3d a = place(0);
     for (std::size_t k = 1; k < began.size(); ++k) {
       const Vector3d b = place(k);
-      if (const auto part = inside(block.size, a, b))
+      if (const auto part = lineInBox(block.size, a, b, -kTouch))
         for (int w = 0; w <= kWithin; ++w) {
-          const Vector3d local = a + std::lerp(part->first, part->second, double(w) / kWithin) * (b - a);
+          const Vector3d local = a + std::lerp((*part)[0], (*part)[1], double(w) / kWithin) * (b - a);
           if (!contact) contact = BlockContact{block.frame.toWorld(local.head<2>(), local.z()), share, 0};
           contact->depth = std::max(contact->depth, depthAt(block.size, local));
         }
