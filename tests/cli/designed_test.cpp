@@ -241,6 +241,14 @@ TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
   EXPECT_EQ(blade({"keys", design, "--out", folder / "keys.json"}).status, 2);
 }
 
+TEST(Designed, FourKeyBladesComeBackAsFour) {
+  const Folder folder;
+  const Finished made =
+      blade({"keys", exampleIn(folder, "key-blade-fan"), "--out", folder / "keys.bladewright"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("4 key blades for 33 sections, within 0."), std::string::npos) << made.err;
+}
+
 TEST(Designed, TwoMouldsAreMadeForAPanel) {
   const Folder folder;
   const std::string design = exampleIn(folder, "bump"), moulds = folder / "moulds.bladewright";

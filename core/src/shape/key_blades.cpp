@@ -34,28 +34,28 @@ Result<Elastica> halfOf(const KeyBlade& blade) {
 }
 
 Result<void> check(const KeyBlade& blade) {
-  const std::string name = "the key blade at y = " + shortText(blade.y, 6);
+  const auto name = [&blade] { return "the key blade at y = " + shortText(blade.y, 6); };
   const bool finite = std::isfinite(blade.y) && blade.middle.allFinite() && std::isfinite(blade.angle) &&
                       std::isfinite(blade.length) && std::isfinite(blade.bend) && blade.force.allFinite() &&
                       std::isfinite(blade.turn);
-  if (!finite) return fail(ErrorCode::badInput, name + " has a number that is not finite", "blades");
+  if (!finite) return fail(ErrorCode::badInput, name() + " has a number that is not finite", "blades");
   if (!(blade.length > 0))
     return fail(ErrorCode::badInput,
-                name + " is " + shortText(blade.length) + " mm long; it must be longer than 0", "blades",
+                name() + " is " + shortText(blade.length) + " mm long; it must be longer than 0", "blades",
                 blade.length, 0.0);
   if (std::abs(blade.bend) > KeyBlade::kMostBend)
     return fail(ErrorCode::badInput,
-                name + " bends by " + shortText(blade.bend) + " rad at the rate of its middle; it may by " +
+                name() + " bends by " + shortText(blade.bend) + " rad at the rate of its middle; it may by " +
                     shortText(KeyBlade::kMostBend),
                 "blades", blade.bend, KeyBlade::kMostBend);
   if (std::abs(blade.turn) > KeyBlade::kMostTurn)
     return fail(ErrorCode::badInput,
-                name + " has its plane turned by " + shortText(blade.turn / kDegree) + "°; it may by " +
+                name() + " has its plane turned by " + shortText(blade.turn / kDegree) + "°; it may by " +
                     shortText(KeyBlade::kMostTurn / kDegree, 3) + "°",
                 "blades", blade.turn, KeyBlade::kMostTurn);
   if (blade.force.norm() > KeyBlade::kMostForce)
     return fail(ErrorCode::badInput,
-                name + " has a force of " + shortText(blade.force.norm()) +
+                name() + " has a force of " + shortText(blade.force.norm()) +
                     " in EI over its length squared; " + shortText(KeyBlade::kMostForce) + " is the most",
                 "blades", blade.force.norm(), KeyBlade::kMostForce);
   return {};
