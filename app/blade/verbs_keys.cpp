@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "bw/core/base/units.h"
 #include "bw/core/shape/surface_blades.h"
+#include "bw/core/shape/turning_planes.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/key_blades.h"
 #include "verbs.h"
@@ -23,6 +25,14 @@ struct KeysOptions {
   double tolerance = 0;  ///< mm; 0: a quarter of the design's
   bool adopt = false;
 };
+
+/// What became of planes that turned.
+std::string planesText(const pipeline::CutKeyBlades& keys) {
+  const std::string now = planesOf(keys.surface) ? "in planes that turn" : "in parallel planes";
+  const double off = toDegrees(keys.turnedOff);
+  if (off < 0.005) return "; " + now + " as those before";
+  return "; " + now + ", up to " + shortText(off, 2) + "° off those before";
+}
 
 int runKeys(const Session& session, const KeysOptions& options) {
   const Result<Design> opened = session.openDesign(options.file);
@@ -57,9 +67,10 @@ int runKeys(const Session& session, const KeysOptions& options) {
                 << " key blades for " << cut.sections.value->size()
                 << (options.adopt ? " blades, within " : " sections, within ") << shortText(keys->deviation)
                 << " mm (the farthest at y = " << shortText(keys->worst, 6) << ")";
+      if (cut.setup && cut.setup->planes.turns()) std::cerr << planesText(*keys);
       if (!near)
-        std::cerr << ", more than " << shortText(tolerance)
-                  << " mm, as near as the elastica fitted to each section comes";
+        std::cerr << ", more than " << shortText(tolerance) << " mm, as near as the elastica fitted to each "
+                  << (options.adopt ? "blade" : "section") << " comes";
       std::cerr << "\n";
     }
   if (!any)

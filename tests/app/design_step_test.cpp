@@ -314,6 +314,29 @@ TEST_F(DesignStep, ASurfaceBecomesKeyBladesAndTheResultTheDesign) {
   EXPECT_TRUE(std::holds_alternative<PolesSurface>(bench().design().source().surface->shape));
 }
 
+TEST_F(DesignStep, ACutWhosePlanesTurnBecomesKeyBladesThatTurnAndItsResultTheDesign) {
+  open("turning-blades");
+  std::vector<Notice> told;
+  QObject::connect(&bench(), &Workbench::noticed, &window(), [&told](const Notice& n) { told.push_back(n); });
+  for (const char* command : {"design.keys", "design.adopt"}) {
+    ASSERT_TRUE(window().commands()[command]->isEnabled()) << command;
+    told.clear();
+    window().commands()[command]->trigger();
+    const bool said =
+        std::ranges::any_of(told, [](const Notice& n) { return n.text.contains("key blades, within"); });
+    EXPECT_TRUE(said) << command;
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << command;
+    EXPECT_TRUE(bench().sweep()->sweep.planes.turns());
+    const std::vector<KeyBlade>& blades = shape<BladesSurface>().blades;
+    EXPECT_TRUE(std::ranges::any_of(blades, [](const KeyBlade& blade) { return blade.turn != 0; }));
+    picture(std::string("turning-") + command);
+    bench().document().undoStack().undo();
+    ASSERT_TRUE(settle());
+  }
+  EXPECT_EQ(shape<BladesSurface>().blades[1].y, 200);
+}
+
 TEST_F(DesignStep, TheCurveOfASectionIsChosen) {
   open("three-block-wall");
   auto* curve = find<ChoiceField>("Curve of section 1");

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/shape/surface_blades.h"
 #include "bw/core/shape/turning_planes.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/key_blades.h"
@@ -236,13 +238,202 @@ TEST(TurningDesign, PlanesThatMeetInTheBlockAreRefusedWithTheirPlace) {
       << outcome.error->message;
 }
 
-TEST(TurningDesign, KeyBladesAreNotToldFromPlanesThatTurn) {
+/// How high one surface lies over or below places of the other, at most, as seen from above: by triangles
+/// that are under them, where both are `inside` (mm) the faces of the block.
+double apart(const SurfaceGrid& of, const SurfaceGrid& over, double inside) {
+  const TriangleMesh mesh = over.triangles();
+  double most = 0;
+  int places = 0;
+  for (int r = 0; r < of.rows; r += 3)
+    for (int c = 0; c < of.columns; c += 5) {
+      const Eigen::Vector3d& p = of.at(r, c);
+      if (p.x() < inside || p.x() > 600 - inside || p.y() < inside || p.y() > 800 - inside) continue;
+      for (const auto& [i, j, k] : mesh.triangles) {
+        const Eigen::Vector3d &a = mesh.points[std::size_t(i)], &b = mesh.points[std::size_t(j)],
+                              &d = mesh.points[std::size_t(k)];
+        Eigen::Matrix2d sides;
+        sides << (b - a).head<2>(), (d - a).head<2>();
+        const Eigen::Vector2d share = sides.inverse() * (p - a).head<2>();
+        if (!(share.minCoeff() >= -1e-9) || share.sum() > 1 + 1e-9) continue;
+        most = std::max(most, std::abs(a.z() + share.x() * (b - a).z() + share.y() * (d - a).z() - p.z()));
+        ++places;
+        break;
+      }
+    }
+  EXPECT_GT(places, 200);
+  return most;
+}
+
+constexpr double kInside = 1;       // mm
+constexpr double kCutAgain = 0.05;  // mm by which the surface of a converted design may be farther off
+
+TEST(TurningDesign, KeyBladesThatTurnComeBackAsTheFewest) {
+  const Design design = turning();
+  Evaluation e = evaluated(design);
+  const BladeSweep own =
+      BladeSweep::through(std::get<BladesSurface>(design.source().surface->shape).blades).value();
+  for (const double tolerance : {0.5, 0.01}) {
+    const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), Told::target, tolerance, {});
+    ASSERT_TRUE(keys) << keys.error().message;
+    EXPECT_LE(keys->deviation, tolerance);
+    EXPECT_LT(toDegrees(keys->turnedOff), 0.05);
+    const auto& blades = std::get<BladesSurface>(keys->surface.shape).blades;
+    EXPECT_LE(blades.size(), 5u);
+    for (const KeyBlade& blade : blades)
+      EXPECT_NEAR(toDegrees(blade.turn), toDegrees(own.at(std::clamp(blade.y, 0.0, 800.0)).turn), 0.01);
+    const Result<Design> changed = withSurface(e, "cut", keys->surface);
+    ASSERT_TRUE(changed) << changed.error().message;
+    EXPECT_FALSE(changed->cut().direction);
+    const Evaluation now = evaluated(*changed);
+    EXPECT_TRUE(now.cut().setup->planes.turns());
+    for (const Finding& finding : now.findings()) EXPECT_NE(finding.severity, Severity::error);
+    EXPECT_EQ(now.cut().coverage.value->uncovered, 0);
+    const SurfaceGrid &before = e.result()->analysis.cut, &after = now.result()->analysis.cut;
+    EXPECT_LT(apart(after, before, kInside), keys->deviation + kCutAgain);
+    EXPECT_LT(apart(before, after, kInside), keys->deviation + kCutAgain);
+  }
+}
+
+TEST(TurningDesign, WhatItsBladesCutBecomesTheDesign) {
   Design design = turning();
-  design.cut().sections.stations = 9;
+  design.blade.length = 700;  // so long that its weight tells
+  Evaluation e = evaluated(design);
+  const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), Told::cut, 0.2, {});
+  ASSERT_TRUE(keys) << keys.error().message;
+  EXPECT_LE(keys->deviation, 0.2);
+  const Evaluation now = evaluated(withSurface(e, "cut", keys->surface).value());
+  EXPECT_TRUE(now.cut().setup->planes.turns());
+  EXPECT_EQ(now.cut().coverage.value->uncovered, 0);
+  const SurfaceGrid &before = e.result()->analysis.cut, &after = now.result()->analysis.cut;
+  EXPECT_LT(apart(after, before, kInside), keys->deviation + kCutAgain);
+  EXPECT_LT(apart(before, after, kInside), keys->deviation + kCutAgain);
+  e.cut().analysis.value.reset();
+  EXPECT_FALSE(keyBladesOf(e.cut(), Told::cut, 0.2, {}));
+}
+
+TEST(TurningDesign, ASurfaceOfAnotherKindCutInPlanesThatTurnIsToldByKeyBladesThatTurn) {
+  const TurningPlanes turned = planesOf(*turning().source().surface).value();
+  Design design = exampleDesign("bump").value();
+  design.output.programs.clear();
+  Evaluation e = evaluated(design);
+  e.design.cut().direction.reset();
+  CutEvaluation& cut = e.cut();
+  const Box block = cut.setup->block;
+  cut.setup = std::make_shared<const geometry::Setup>(
+      geometry::Setup{block, PlaneFamily::turning(block, turned).value()});
+  Findings findings;
+  cut.sections.value = std::make_shared<const std::vector<Section>>(
+      geometry::cutSections(*cut.target.value, *cut.setup, {.stations = 13}, {}, findings).value());
+  const Result<CutKeyBlades> keys = keyBladesOf(cut, Told::target, 0.6, {});
+  ASSERT_TRUE(keys) << keys.error().message;
+  EXPECT_LE(keys->deviation, 0.6);
+  EXPECT_LT(toDegrees(keys->turnedOff), 0.01);
+  EXPECT_LT(std::get<BladesSurface>(keys->surface.shape).blades.size(), 20u);
+  // All of the one lies so near to the other, by the nearest points.
+  const std::unique_ptr<SurfaceSampler> sampler = cut.target.value->sampler();
+  const SplineSurface spline = splineOf(keys->surface).value();
+  double most = 0;
+  for (int i = 0; i <= 40; ++i)
+    for (int k = 0; k <= 60; ++k) {
+      const auto between = [](const std::vector<double>& knots, double share) {
+        return knots.front() + share * (knots.back() - knots.front());
+      };
+      const Eigen::Vector3d p =
+          spline.value(between(spline.knotsU, i / 40.0), between(spline.knotsV, k / 60.0));
+      if (p.y() < 0 || p.y() > 800) continue;  // it goes on a little beyond
+      most = std::max(most, sampler->closest(p, nullptr).value().distance);
+    }
+  EXPECT_LT(most, keys->deviation + BladesSurface::kTolerance);
+  EXPECT_GT(most, 0.3 * keys->deviation) << "what is told is not much more than what is";
+  const Evaluation now = evaluated(withSurface(e, "cut", keys->surface).value());
+  EXPECT_TRUE(now.cut().setup->planes.turns());
+  EXPECT_EQ(now.cut().coverage.value->uncovered, 0);
+}
+
+TEST(TurningDesign, KeyBladesOfATurnedOverBlockAndOfASurfaceOutOfTheAxesLieWhereTheyDid) {
+  for (const bool over : {false, true}) {
+    Design design = turning();
+    design.cut().sections.stations = 17;
+    if (over) {
+      design.cut().pose.up = BlockFace::bottom;
+    } else {
+      DesignedSurface& surface = *design.source().surface;
+      surface.rotation.z() = 0.3;
+      const Eigen::Matrix3d axes = rotationFromAngles(surface.rotation);
+      surface.origin = {40, -30, 25};
+      BlockPlacement& block = *design.stock[0].placement;
+      block.rotation = surface.rotation;
+      block.origin = surface.origin + axes * block.origin;
+    }
+    const Evaluation e = evaluated(design);
+    for (const Told which : {Told::target, Told::cut}) {
+      const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), which, 0.3, {});
+      ASSERT_TRUE(keys) << keys.error().message;
+      EXPECT_LE(keys->deviation, 0.3);
+      const Evaluation now = evaluated(withSurface(e, "cut", keys->surface).value());
+      EXPECT_TRUE(now.cut().setup->planes.turns());
+      EXPECT_EQ(now.cut().coverage.value->uncovered, 0);
+      // What is to be cut now is no farther from what was, or was cut.
+      const std::unique_ptr<SurfaceSampler> sampler = now.cut().target.value->sampler();
+      double most = 0;
+      const SurfaceGrid& before = e.result()->analysis.cut;
+      for (int r = 0; r < before.rows; r += 4)
+        for (int c = 0; c < before.columns; c += 10)
+          most = std::max(most, sampler->closest(before.at(r, c), nullptr).value().distance);
+      const double own = which == Told::cut ? 0 : e.result()->analysis.summary.deviationMax;
+      EXPECT_LT(most, keys->deviation + own + 2 * BladesSurface::kTolerance) << over;
+    }
+  }
+}
+
+TEST(TurningDesign, KeyBladesOfTheBlocksOfAWallMeet) {
+  Design design = exampleDesign("block-wall").value();
+  design.output.programs.clear();
+  BladesSurface shape;
+  for (const double y : {0.0, 400.0, 800.0})
+    shape.blades.push_back({y, {900, 250}, 0, 2000, -0.3, {0, 0}, y == 400 ? fromDegrees(3) : 0});
+  design.source().surface = DesignedSurface{shape};
+  for (Cut& cut : design.cuts) {
+    cut.direction.reset();
+    cut.sections.stations = 17;
+  }
+  Evaluation e = evaluate(design, nullptr, {}).evaluation;
+  ASSERT_EQ(e.blocks.size(), 3u);
+  for (const BlockEvaluation& block : std::vector<BlockEvaluation>(e.blocks)) {
+    const Result<CutKeyBlades> keys = keyBladesOf(block.cuts[0], Told::target, 0.1, {});
+    ASSERT_TRUE(keys) << keys.error().message;
+    EXPECT_LE(std::get<BladesSurface>(keys->surface.shape).blades.size(), 3u);
+    e.design = withSurface(e, block.cuts[0].id, keys->surface).value();
+  }
+  Design own = e.design;
+  own.grid.reset();
+  const Evaluation now = evaluate(own, nullptr, {}).evaluation;
+  ASSERT_EQ(now.blocks.size(), 3u);
+  for (const BlockEvaluation& block : now.blocks) EXPECT_TRUE(block.cuts[0].setup->planes.turns());
+  ASSERT_TRUE(now.joints.value);
+  EXPECT_EQ(now.joints.value->joints.size(), 2u);
+  EXPECT_FALSE(told<JointOpen>(now.findings()));
+  EXPECT_LT(now.joints.value->gapMax(), 0.2);
+}
+
+TEST(TurningDesign, KeyBladesThatDoNotTurnAnyMoreAreCutInParallelPlanes) {
+  // Turned in the middle of the block, and beside it.
+  Design design = turning();
+  auto& blades = std::get<BladesSurface>(design.source().surface->shape).blades;
+  const std::array<double, 5> places = {-200, 0, 400, 800, 1000}, turns = {-2, 0, 5, 0, -2};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    blades[k].y = places[k];
+    blades[k].turn = fromDegrees(turns[k]);
+  }
   const Evaluation e = evaluated(design);
-  const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), Told::target, 0.1, {});
-  ASSERT_FALSE(keys);
-  EXPECT_NE(keys.error().message.find("Give the cut a direction first"), std::string::npos);
+  const Result<CutKeyBlades> keys = keyBladesOf(e.cut(), Told::target, 100, {});
+  ASSERT_TRUE(keys) << keys.error().message;
+  EXPECT_EQ(std::get<BladesSurface>(keys->surface.shape).blades.size(), 2u);
+  EXPECT_NEAR(toDegrees(keys->turnedOff), 5, 0.2);
+  const Design changed = withSurface(e, "cut", keys->surface).value();
+  ASSERT_TRUE(changed.cut().direction);
+  EXPECT_NEAR((*changed.cut().direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_FALSE(evaluated(changed).cut().setup->planes.turns());
 }
 
 }  // namespace

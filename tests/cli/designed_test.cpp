@@ -249,6 +249,37 @@ TEST(Designed, FourKeyBladesComeBackAsFour) {
   EXPECT_NE(made.err.find("4 key blades for 33 sections, within 0."), std::string::npos) << made.err;
 }
 
+TEST(Designed, ACutWhosePlanesTurnIsToldByKeyBladesThatTurn) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "turning-blades");
+  ASSERT_EQ(blade({"design", design, "--out", folder / "old"}).status, 0);
+  const json old = json::parse(slurp(folder / "old/report.json"));
+  for (const bool adopt : {false, true}) {
+    const std::string keys = folder / (adopt ? "adopted.bladewright" : "keys.bladewright");
+    std::vector<std::string> words = {"keys", design, "--tolerance", "0.2", "--out", keys};
+    if (adopt) words.push_back("--adopt");
+    const Finished made = blade(words);
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_NE(
+        made.err.find(adopt ? " key blades for 33 blades, within 0." : "5 key blades for 33 sections, "),
+        std::string::npos)
+        << made.err;
+    EXPECT_NE(made.err.find("; in planes that turn"), std::string::npos) << made.err;
+    const json told = json::parse(slurp(keys));
+    bool turns = false;
+    for (const json& key : told["sources"][0]["surface"]["blades"]) turns = turns || key.contains("turn_deg");
+    EXPECT_TRUE(turns);
+    const std::string out = folder / (adopt ? "adopted" : "new");
+    const Finished run = blade({"design", keys, "--out", out});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json now = json::parse(slurp(out + "/report.json"));
+    EXPECT_EQ(now["method"]["planes"], "turning");
+    for (const char* end : {"first", "last", "least", "most"})
+      EXPECT_NEAR(now["method"]["planes_turned_deg"][end].get<double>(),
+                  old["method"]["planes_turned_deg"][end].get<double>(), 0.1);
+  }
+}
+
 TEST(Designed, TwoMouldsAreMadeForAPanel) {
   const Folder folder;
   const std::string design = exampleIn(folder, "bump"), moulds = folder / "moulds.bladewright";

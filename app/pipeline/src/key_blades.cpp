@@ -8,6 +8,8 @@
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/shape/key_blades.h"
+#include "bw/core/shape/turned_blades.h"
+#include "bw/core/shape/turning_planes.h"
 #include "bw/core/text/number_text.h"
 
 namespace bw::pipeline {
@@ -36,6 +38,7 @@ Result<PlanarCurve> seenFromBehind(const PlanarCurve& curve) {
 
 struct FramedCurve {
   Frame frame;
+  double travel = 0;
   PlanarCurve curve;
 };
 
@@ -49,9 +52,37 @@ Result<std::vector<FramedCurve>> sectionsOf(const CutEvaluation& cut) {
                   "section " + std::to_string(section.index) + " of the cut " + cut.id +
                       " is no single curve; give the cut a surface, or a block, that it meets in one",
                   "cut");
-    curves.push_back({section.frame, section.curve()});
+    curves.push_back({section.frame, section.travel, section.curve()});
   }
   return curves;
+}
+
+/// Sections in the planes of the cut and in others between these: where planes turn, those of key blades are
+/// none of them, so that sections far apart say little of what they do.
+Result<std::vector<Section>> closeSectionsOf(const CutEvaluation& cut, const RunContext& context) {
+  constexpr int kLeast = 80;      // distances between them
+  constexpr double kReach = 1e5;  // mm: all of a surface
+  if (const Result<std::vector<FramedCurve>> own = sectionsOf(cut); !own)
+    return tl::unexpected<Error>(own.error());
+  const int apart = int(cut.sections.value->size()) - 1, parts = std::max(2, (kLeast + apart - 1) / apart);
+  SectionRequest request;
+  request.stations = std::min(apart * parts + 1, SectionRequest::kMost);
+  request.route = cut.sections.request.sections.route;
+  Findings findings;
+  Result<std::vector<Section>> sections =
+      geometry::cutSections(*cut.target.value, *cut.setup, request, context.child(0, 0.2), findings);
+  if (!sections) return sections;
+  for (const Section& section : *sections)
+    if (section.chosen < 0)
+      return fail(ErrorCode::badInput,
+                  "between its stations, " + shortText(section.travel, 6) +
+                      " mm along the travel, the section of the cut " + cut.id +
+                      " is no single curve; give the cut a surface, or a block, that it meets in one",
+                  "cut");
+  if (Result<void> ok = geometry::followBeyond(*cut.target.value, *cut.setup, kReach, *sections, context);
+      !ok)
+    return tl::unexpected<Error>(ok.error());
+  return sections;
 }
 
 /// The parts of the blades that cut, as they hang.
@@ -73,7 +104,7 @@ Result<std::vector<FramedCurve>> bladesOf(const CutEvaluation& cut) {
     for (const Elastica::State& state : states) points.push_back(state.point);
     const Result<PlanarCurve> curve = cubicSplineThrough(points);
     if (!curve) return tl::unexpected<Error>(curve.error());
-    curves.push_back({pose.frame, *curve});
+    curves.push_back({pose.frame, pose.travel, *curve});
   }
   return curves;
 }
@@ -100,6 +131,14 @@ void reach(std::vector<KeyBlade>& blades, double before, double after) {
   if (after > 0 && after < kMost) last = beyond(last, sweep->changeAt(sweep->to()), after);
 }
 
+/// How far blades in planes that turn go on, where the row ends so far inside of the block: to the plane that
+/// touches it, and a little beyond where that is the last of the row.
+double reachOf(double left) {
+  constexpr double kMost = 1, kTouches = 1e-3, kBeyond = 0.5;  // mm
+  if (!(left < kMost)) return 0;
+  return std::max(left, 0.0) + (left < kTouches ? kBeyond : 0);
+}
+
 /// The frame whose y is the travel and whose z is up in the planes of the sections; that of the design where
 /// these are the same.
 DesignedSurface frameAcross(const Frame& plane) {
@@ -113,22 +152,35 @@ DesignedSurface frameAcross(const Frame& plane) {
   return surface;
 }
 
-}  // namespace
+/// The points of what is cut, in rows along the blade at every station and between these.
+std::vector<std::vector<Eigen::Vector3d>> linesOf(const SurfaceGrid& grid) {
+  constexpr int kMostRows = 480, kMostColumns = 64;
+  const auto thinned = [](int count, int most) {
+    const int step = (count - 1 + most - 1) / most;
+    std::vector<int> kept;
+    for (int k = 0; k < count - 1; k += step) kept.push_back(k);
+    kept.push_back(count - 1);
+    return kept;
+  };
+  std::vector<std::vector<Eigen::Vector3d>> rows;
+  for (const int r : thinned(grid.rows, kMostRows)) {
+    std::vector<Eigen::Vector3d> row;
+    for (const int c : thinned(grid.columns, kMostColumns)) row.push_back(grid.at(r, c));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
 
-Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tolerance,
-                                 const RunContext& context) {
+/// Of a cut whose planes are parallel.
+Result<CutKeyBlades> parallelBladesOf(const CutEvaluation& cut, Told told, double tolerance,
+                                      const RunContext& context) {
   const Result<std::vector<FramedCurve>> framed = told == Told::target ? sectionsOf(cut) : bladesOf(cut);
   if (!framed) return tl::unexpected<Error>(framed.error());
-  if (cut.setup && cut.setup->planes.turns())
-    return fail(ErrorCode::badInput,
-                "the planes of the cut " + cut.id +
-                    " turn; key blades are told from parallel ones. Give the cut a direction first",
-                "cut");
   CutKeyBlades found;
   found.surface = frameAcross(framed->front().frame);
   const Eigen::Matrix3d axes = rotationFromAngles(found.surface.rotation);
   std::vector<PlacedCurve> curves;
-  for (const auto& [frame, own] : *framed) {
+  for (const auto& [frame, travel, own] : *framed) {
     const Eigen::Vector3d place = axes.transpose() * (frame.origin - found.surface.origin);
     const Result<PlanarCurve> curve = seenFromBehind(own);
     if (!curve) return tl::unexpected<Error>(curve.error());
@@ -149,12 +201,102 @@ Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tol
   return found;
 }
 
+/// Rows of a cut whose planes turn, in the frame of the surface that is to tell it.
+class TurnedRows {
+ public:
+  explicit TurnedRows(const CutEvaluation& cut)
+      : cut_(cut),
+        surface_(frameAcross(cut.setup->planes.frame)),
+        own_(rotationFromAngles(surface_.rotation).transpose()) {}
+
+  const DesignedSurface& surface() const { return surface_; }
+  Eigen::Vector3d placeOf(const Eigen::Vector3d& place) const { return own_ * (place - surface_.origin); }
+
+  Result<TurnedRow> through(const std::vector<FramedCurve>& framed) const {
+    TurnedRow row;
+    for (const auto& [frame, travel, planar] : framed) {
+      const Eigen::Vector3d place = placeOf(frame.origin), along = own_ * -frame.x;
+      const Result<PlanarCurve> curve = seenFromBehind(planar);
+      if (!curve) return tl::unexpected<Error>(curve.error());
+      row.curves.push_back(
+          {place.head<2>(), std::atan2(along.y(), along.x()), curve->transformed(0, 1, {0, place.z()})});
+    }
+    const Box& block = cut_.setup->block;
+    row.block = {
+        {placeOf(block.frame.origin), own_ * block.frame.x, own_ * block.frame.y, own_ * block.frame.normal},
+        block.size};
+    const PlaneFamily& planes = cut_.setup->planes;
+    row.before = reachOf(framed.front().travel);
+    row.after = reachOf(planes.travel(planes.exit) - framed.back().travel);
+    return row;
+  }
+
+ private:
+  const CutEvaluation& cut_;
+  DesignedSurface surface_;
+  Eigen::Matrix3d own_;
+};
+
+/// Of a cut whose planes turn: of key blades that turn, whose planes are those of the cut at the keys.
+Result<FewestTurnedBlades> turnedTargetOf(const CutEvaluation& cut, const TurnedRows& rows, double tolerance,
+                                          const RunContext& context) {
+  const Result<std::vector<Section>> sections = closeSectionsOf(cut, context);
+  if (!sections) return tl::unexpected<Error>(sections.error());
+  // From side to side of the surface, where what is elastica has numbers that run evenly; else in the block.
+  Result<FewestTurnedBlades> best = fail(ErrorCode::internal, "no sections are told");
+  for (const bool whole : {true, false}) {
+    std::vector<FramedCurve> framed;
+    for (const Section& section : *sections)
+      if (!whole || section.beyond)
+        framed.push_back({section.frame, section.travel, whole ? *section.beyond : section.curve()});
+    if (framed.size() < sections->size()) continue;
+    const Result<TurnedRow> row = rows.through(framed);
+    if (!row) return tl::unexpected<Error>(row.error());
+    Result<FewestTurnedBlades> found = fewestTurnedBlades(*row, tolerance, context.child(0.2, 1));
+    if (context.stopped()) return stoppedError();
+    if (!best || (found && found->deviation < best->deviation)) best = std::move(found);
+    if (best && best->deviation <= tolerance) break;
+  }
+  return best;
+}
+
+Result<FewestTurnedBlades> turnedCutOf(const CutEvaluation& cut, const TurnedRows& rows, double tolerance,
+                                       const RunContext& context) {
+  const Result<std::vector<FramedCurve>> framed = bladesOf(cut);
+  if (!framed) return tl::unexpected<Error>(framed.error());
+  if (!cut.analysis.value)
+    return fail(ErrorCode::badInput, "the cut " + cut.id + " has no surface that its blades cut yet", "cut");
+  Result<TurnedRow> row = rows.through(*framed);
+  if (!row) return tl::unexpected<Error>(row.error());
+  row->between = linesOf(cut.analysis.value->cut);
+  for (std::vector<Eigen::Vector3d>& places : row->between) {
+    for (Eigen::Vector3d& place : places) place = rows.placeOf(place);
+    if (places.front().x() > places.back().x()) std::ranges::reverse(places);
+  }
+  return fewestTurnedBlades(*row, tolerance, context);
+}
+
+}  // namespace
+
+Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tolerance,
+                                 const RunContext& context) {
+  if (!cut.setup || !cut.setup->planes.turns()) return parallelBladesOf(cut, told, tolerance, context);
+  const TurnedRows rows(cut);
+  Result<FewestTurnedBlades> fewest =
+      (told == Told::target ? turnedTargetOf : turnedCutOf)(cut, rows, tolerance, context);
+  if (!fewest) return tl::unexpected<Error>(fewest.error());
+  CutKeyBlades found{rows.surface(), fewest->deviation, fewest->worst, fewest->turnedOff};
+  found.surface.shape = BladesSurface{std::move(fewest->blades)};
+  return found;
+}
+
 Result<Design> withSurface(const Evaluation& evaluation, const std::string& id, DesignedSurface surface) {
   Design design = evaluation.design;
   const CutEvaluation* made = evaluation.find(id);
   const auto cut = std::ranges::find(design.cuts, id, &Cut::id);
   if (!made || cut == design.cuts.end())
     return fail(ErrorCode::badInput, "there is no cut \"" + id + "\"", "cut");
+  const bool turns = planesOf(surface).has_value();
   const bool shared = std::ranges::any_of(
       design.cuts, [&](const Cut& other) { return other.id != id && other.source == cut->source; });
   if (shared) {
@@ -169,7 +311,8 @@ Result<Design> withSurface(const Evaluation& evaluation, const std::string& id, 
     source.surface = std::move(surface);
   }
   cut->face = {};
-  if (made->setup && !cut->direction) cut->direction = made->setup->planes.direction();
+  // Planes that turn are those of the key blades as long as the cut has no direction.
+  if (made->setup && !cut->direction && !turns) cut->direction = made->setup->planes.direction();
   for (StockBlock& block : design.stock)
     if (block.id == cut->block && !block.placement && made->setup && cut->pose == CutPose{})
       block.placement = placementOf(made->setup->block);

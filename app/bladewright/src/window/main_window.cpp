@@ -8,7 +8,9 @@
 
 #include <algorithm>
 
+#include "bw/core/base/units.h"
 #include "bw/core/shape/surface_blades.h"
+#include "bw/core/text/number_text.h"
 #include "bw/pipeline/moulds.h"
 #include "controls/numbers.h"
 #include "window/start_page.h"
@@ -167,9 +169,12 @@ void MainWindow::takeKeyBlades(pipeline::Told told) {
   const std::size_t count = std::get<BladesSurface>(keys->surface.shape).blades.size();
   bench_.editDesign(told == pipeline::Told::cut ? tr("Adopt what is cut") : tr("Surface as key blades"),
                     [&changed](Design& design) { design = std::move(*changed); });
-  bench_.tell(
-      Topic::other, keys->deviation > tolerance ? Severity::warning : Severity::info,
-      tr("%1 key blades, within %2 of what they were made from").arg(count).arg(lengthText(keys->deviation)));
+  QString words =
+      tr("%1 key blades, within %2 of what they were made from").arg(count).arg(lengthText(keys->deviation));
+  constexpr double kSeen = 0.005;  // degrees
+  if (const double off = toDegrees(keys->turnedOff); off >= kSeen)
+    words += tr("; planes up to %1° off those before").arg(QString::fromStdString(shortText(off, 2)));
+  bench_.tell(Topic::other, keys->deviation > tolerance ? Severity::warning : Severity::info, words);
 }
 
 void MainWindow::makeMoulds() {

@@ -17,6 +17,8 @@ struct CutKeyBlades {
   DesignedSurface surface;  ///< of key blades; y of its frame is the travel
   double deviation = 0;     ///< mm, of the blades from the sections of the cut, the largest
   double worst = 0;         ///< y there, mm in the frame
+  /// rad, where planes turn: the most that one of the cut is turned off that of the surface in its middle.
+  double turnedOff = 0;
 };
 
 /// Which of its two surfaces a cut is told by.
@@ -26,9 +28,11 @@ enum class Told {
 };
 
 /// The fewest key blades found whose sweep comes within `tolerance` (mm) of the sections of a cut, or of its
-/// blades at the stations (`fewestBlades`). Error `badInput` where the cut has no such, or a section that is
-/// no single curve, or planes that turn, or where the blade does not lie in the surface that it cuts since it
-/// has a kerf; those of `fewestBlades`.
+/// blades at the stations (`fewestBlades`). Where the planes of the cut turn, the key blades turn, too
+/// (`fewestTurnedBlades`), and are held against the sections at the stations and between them, 81 at least,
+/// or against all of the surface that the blades cut. Error `badInput` where the cut has no such, or a
+/// section that is no single curve, or where the blade does not lie in the surface that it cuts since it has
+/// a kerf; those of `fewestBlades` and `fewestTurnedBlades`.
 Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tolerance,
                                  const RunContext& context);
 
