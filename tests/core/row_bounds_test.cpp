@@ -79,14 +79,6 @@ TEST(RowBounds, GripsShareWhatClearanceThereIs) {
   }
 }
 
-/// How far a point lies outside of a block.
-double outside(const Box& box, const Vector3d& point) {
-  const Frame& f = box.frame;
-  const Vector3d from = point - f.origin, at(from.dot(f.x), from.dot(f.y), from.dot(f.normal));
-  const Vector3d beyond = (-at).cwiseMax(at - box.size);
-  return beyond.maxCoeff() < 0 ? beyond.maxCoeff() : beyond.cwiseMax(0).norm();
-}
-
 Frame turned(const Frame& frame, const Eigen::Quaterniond& turn, const Vector3d& about) {
   return {about + turn * (frame.origin - about), turn * frame.x, turn * frame.y, turn * frame.normal};
 }
@@ -108,8 +100,10 @@ TEST(RowBounds, GripsKeepClearOfABlockThatIsTurnedBelowThem) {
     double least = 1e300, bare = 1e300;  // as it is, and with the blades in the middle of their sections
     for (std::size_t i = 0; i < row->poses.size(); ++i) {
       const BladePose& pose = row->poses[i];
-      bare = std::min(bare, outside(box, {-50 + 0.5 * settings.blade.length, pose.frame.origin.y(), 0}));
-      const double near = std::min(outside(box, pose.leftPoint()), outside(box, pose.rightPoint()));
+      bare =
+          std::min(bare, test::outside(box, {-50 + 0.5 * settings.blade.length, pose.frame.origin.y(), 0}));
+      const double near =
+          std::min(test::outside(box, pose.leftPoint()), test::outside(box, pose.rightPoint()));
       EXPECT_GE(near, settings.clearance) << yaw << " " << roll << " " << i;
       EXPECT_LT(row->fits[i].fit.hausdorff, 0.2) << yaw << " " << roll << " " << i;
       least = std::min(least, near);
@@ -140,7 +134,7 @@ TEST(RowBounds, ARowIsTheSameHoweverAllOfItLies) {
     const BladePose &there = row->poses[i], &here = upright.poses[i];
     EXPECT_LT((there.leftPoint() - turn * here.leftPoint()).norm(), 1e-3) << i;
     EXPECT_LT((there.rightPoint() - turn * here.rightPoint()).norm(), 1e-3) << i;
-    EXPECT_GE(std::min(outside(box, there.leftPoint()), outside(box, there.rightPoint())),
+    EXPECT_GE(std::min(test::outside(box, there.leftPoint()), test::outside(box, there.rightPoint())),
               settings.clearance);
   }
 }

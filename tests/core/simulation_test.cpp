@@ -59,7 +59,7 @@ struct Made {
         .value();
   }
   Result<SimulatedSurface> compared(const Simulation& simulation) const {
-    return compare(simulation, analysis.cut, sweep.planes, test::SphereSampler(kRadius), {});
+    return compare(simulation, analysis.cut, sweep.block, sweep.planes, test::SphereSampler(kRadius), {});
   }
 };
 
@@ -498,7 +498,7 @@ TEST(Simulation, MeansAreOverTheAreaThatIsCut) {
   ASSERT_TRUE(run && !run->halt);
   SurfaceGrid cut;
   const Result<SimulatedSurface> surface =
-      compare(*run, shown, PlaneFamily::across(motion.block, Vector3d::UnitY()),
+      compare(*run, shown, motion.block, PlaneFamily::across(motion.block, Vector3d::UnitY()),
               test::PlaneSampler(Vector3d::UnitZ()), {}, &cut);
   ASSERT_TRUE(surface);
   const double slope = std::hypot(10.0, 1.0), mean = (0.5 * slope + 200) / (100 + slope + 200);

@@ -134,7 +134,8 @@ TEST(TurningRow, IsRunAsItIsShown) {
   EXPECT_FALSE(run.halt);
   EXPECT_TRUE(run.snaps.empty());
   const SimulatedSurface cut =
-      compare(run, made.analysis.cut, made.planes, test::SphereSampler(kRadius), {}).value();
+      compare(run, made.analysis.cut, made.sweep.block, made.planes, test::SphereSampler(kRadius), {})
+          .value();
   EXPECT_GT(cut.covered, 0.99);
   EXPECT_LT(cut.toDesignMax, 0.15);
   EXPECT_LT(cut.toTargetMax, 0.3);

@@ -46,6 +46,14 @@ inline Box blockUnder(double half, double depth, double low, double high) {
       {2 * half, depth, high - low}};
 }
 
+/// How far (mm) a point lies outside of a block; less than 0 in it.
+inline double outside(const Box& box, const Eigen::Vector3d& point) {
+  const Frame& f = box.frame;
+  const Eigen::Vector3d from = point - f.origin, at(from.dot(f.x), from.dot(f.y), from.dot(f.normal));
+  const Eigen::Vector3d beyond = (-at).cwiseMax(at - box.size);
+  return beyond.maxCoeff() < 0 ? beyond.maxCoeff() : beyond.cwiseMax(0).norm();
+}
+
 /// The surface z = height(x), whatever y: closest points by a fine table, within 1/400 of its width.
 template <class Height>
 class GraphSampler : public SurfaceSampler {

@@ -643,7 +643,7 @@ Result<SimulatedSurface> cutBy(const Simulation& run, const CutEvaluation& e, co
     middle = middleSampler(*e.target.value, *e.middle.value, kerf, own);
     if (melted) *melted = own;
   }
-  return bw::compare(run, shown, e.setup->planes, *middle, context, cut);
+  return bw::compare(run, shown, e.sweep.value->block, e.setup->planes, *middle, context, cut);
 }
 
 Result<void> seeTheRun(const CutWork& work, double& seconds) {

@@ -12,6 +12,7 @@
 
 #include "bw/core/simulation/simulation.h"
 #include "simulation/run_speeds.h"
+#include "sweep/in_foam.h"
 #include "sweep/surface_rows.h"
 
 namespace bw {
@@ -118,13 +119,14 @@ class Runs {
 
 }  // namespace
 
-Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
+Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown, const Box& block,
                                  const PlaneFamily& planes, const SurfaceSampler& target,
                                  const RunContext& context, SurfaceGrid* cut) {
   SimulatedSurface surface;
   const std::vector<SimulatedBlade>& blades = simulation.blades;
   if (blades.empty()) return surface;
   const Runs runs(simulation, shown, planes);
+  const sweep::InFoam foam(block);
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
   SurfaceGrid grid;
   grid.columns = kMeasured;
@@ -156,6 +158,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       grid.fields[0].values.push_back(offset);
       grid.fields[1].values.push_back(seen.distance);
       if (seen.beside > kEdge || seen.across > kEdge) continue;  // it left the surface and came back
+      if (!foam.holds(place) && !foam.holds(foot->point)) continue;
       const RunSpot spot{place, now.time, now.instant};
       // What it sweeps across itself, half of the way from the moment before and half of that to the next.
       const Vector3d tangent =

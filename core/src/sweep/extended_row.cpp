@@ -102,7 +102,7 @@ Result<void> solve(Sweep& sweep, std::size_t i, const Section& section) {
   if (!cut) return tl::unexpected<Error>(cut.error());
   pose.cut = *cut;
   fit.fit.elastica = *cut;
-  compare(pose, fit);
+  compare(pose, InFoam(sweep), fit);
   return {};
 }
 

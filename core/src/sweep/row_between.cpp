@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sweep/held_blade.h"
+#include "sweep/in_foam.h"
 #include "sweep/smooth_way.h"
 
 namespace bw::sweep {
@@ -37,8 +38,9 @@ std::vector<Vector2d> sectionAt(const Sweep& row, const std::vector<std::vector<
   return there;
 }
 
-/// mm, of the place that is farthest from the blade of a pose.
-double farthestFrom(const HeavyBlade& blade, const BladePose& pose, const std::vector<Vector2d>& section) {
+/// mm, of the place that is farthest from the blade of a pose, as far as it counts.
+double farthestFrom(const HeavyBlade& blade, const BladePose& pose, const std::vector<Vector2d>& section,
+                    const InFoam& foam) {
   std::vector<double> arcs = pose.cutArcs(kPlaces);
   std::vector<Elastica::State> states(kPlaces);
   for (int step = 0; step < kSteps; ++step) {
@@ -51,7 +53,8 @@ double farthestFrom(const HeavyBlade& blade, const BladePose& pose, const std::v
   blade.at(arcs, states);
   double farthest = 0;
   for (std::size_t k = 0; k < arcs.size(); ++k)
-    farthest = std::max(farthest, (section[k] - states[k].point).norm());
+    farthest = std::max(farthest,
+                        foam.share(pose.frame.toWorld(section[k])) * (section[k] - states[k].point).norm());
   return farthest;
 }
 
@@ -61,6 +64,7 @@ Result<double> offBetween(const Sweep& row, const RunContext& context) {
   const std::size_t n = row.poses.size();
   if (n < 2) return 0.0;
   const SmoothWay smooth(row);
+  const InFoam foam(row);
   std::vector<std::vector<Vector2d>> sections;
   for (const StationFit& fit : row.fits) sections.push_back(fit.target.sample(kPlaces));
   std::vector<double> off(n - 1, 0);
@@ -73,7 +77,7 @@ Result<double> offBetween(const Sweep& row, const RunContext& context) {
     const Result<ClampedBranch::Move> move = branch->moveTo(heldAt(row, *pose));
     if (!move) return;
     off[i] = move->snapped ? std::numeric_limits<double>::infinity()
-                           : farthestFrom(branch->blade(), *pose, sectionAt(row, sections, i, travel));
+                           : farthestFrom(branch->blade(), *pose, sectionAt(row, sections, i, travel), foam);
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();

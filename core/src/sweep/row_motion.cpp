@@ -13,6 +13,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/held_blade.h"
+#include "sweep/in_foam.h"
 #include "sweep/remedies.h"
 #include "sweep/smooth_way.h"
 #include "sweep/surface_rows.h"
@@ -334,6 +335,7 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   WayDeviation way;
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
   const sweep::SurfaceRows shown(analysis.swept(), row.planes);
+  const sweep::InFoam foam(row.block);
   std::vector<double> off(row.poses.size(), 0);
   std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
   for (const RowMotion::Instant& instant : motion.instants) {
@@ -343,6 +345,7 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       Result<SurfaceSampler::Foot> foot = sampler->closest(place, feet[c] ? &*feet[c] : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       feet[c] = *foot;
+      if (!foam.holds(place) && !foam.holds(foot->point)) continue;
       const double away = std::abs(sampler->offset(place, *foot));
       if (away > way.deviationMax) {
         way.deviationMax = away;

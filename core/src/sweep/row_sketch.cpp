@@ -16,6 +16,7 @@
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
 #include "sweep/held_blade.h"
+#include "sweep/in_foam.h"
 #include "sweep/station_velocity.h"
 
 namespace bw {
@@ -87,6 +88,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
                 "stations", double(n), double(others_.size()));
   const Blade& blade = row.request.blade;
   const double limit = blade.maxCurvature(), stressAtLimit = blade.stress(limit);
+  const sweep::InFoam foam(row.block);
   std::vector<double> travel;
   for (const BladePose& pose : poses) travel.push_back(pose.travel);
 
@@ -129,7 +131,8 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
       const std::size_t at = i * kPoints + k;
       cut.points[at] = p;
       for (const auto& [field, value] : maps) cut.fields[field].values[at] = value(sample);
-      sketch.deviation[i] = std::max(sketch.deviation[i], std::abs(sample.deviation));
+      if (foam.holds(p) || foam.holds(foot->point))
+        sketch.deviation[i] = std::max(sketch.deviation[i], std::abs(sample.deviation));
     }
     double margin = 1;
     if (pose.heavy) {

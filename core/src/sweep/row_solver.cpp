@@ -60,7 +60,7 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
   pose.blade = light;
   pose.before = station.feet.front();
   fit.fit.elastica = *cut;
-  compare(pose, fit);
+  compare(pose, row.foam(), fit);
   return true;
 }
 

@@ -44,6 +44,7 @@ constexpr double kFarTurned = 0.5;        // rad
 constexpr std::int64_t kMostWork = 8000;  // from look to look: about a millisecond (`WorkMeter`)
 constexpr double kDifference = 1e-4;      // of a number of a blade
 constexpr double kFootSlack = 0.1;        // of the blade: a step of a foot
+constexpr double kBeside = 0.03;          // that a place beside the block counts at least
 // What of the ends, tangents and length that are asked for may be missed:
 constexpr double kMissed = 0.01;  // mm,
 constexpr double kTurned = 0.02 * kDegree;
@@ -56,9 +57,10 @@ Row::Row(const Sweep& sweep, const RunContext& context)
       length_(sweep.request.blade.length),
       unit_(0.25 * length_),
       limit_(kAtLimit * sweep.request.blade.maxCurvature()),
-      passed_(sweep.block) {
-  // Planes that turn may pass the block's corners anywhere.
-  if (sweep.planes.turns()) return;
+      passed_(sweep.block),
+      foam_(sweep) {
+  // Planes that turn, or meet the block obliquely, may pass its corners anywhere.
+  if (sweep.planes.turns() || foam_.slanted()) return;
   // What the blade passes on its way is as near before the block and after it.
   constexpr double kFarOn = 1e6;  // mm
   Eigen::Index along = 0;
@@ -124,9 +126,30 @@ void Row::take(Station& station, std::size_t i) const {
   station.index = i;
   station.pose = &sweep_.poses[i];
   std::ranges::copy(section.sample(kStationPlaces), station.section.begin());
+  std::ranges::transform(station.section, station.counts.begin(), [&](const Vector2d& place) {
+    return std::max(kBeside, foam_.share(station.pose->frame.toWorld(place)));
+  });
+  // By the trapezoidal rule.
+  const double most = std::ranges::max(station.counts);
+  double sum = 0;
+  for (std::size_t k = 0; k < kStationPlaces; ++k) {
+    station.counts[k] /= most;
+    station.shares[k] = (k == 0 || k + 1 == kStationPlaces ? 0.5 : 1) * station.counts[k] * station.counts[k];
+    sum += station.shares[k];
+  }
+  for (double& share : station.shares) share = std::sqrt(share / sum);
   station.sectionLength = section.length();
   station.sectionAngles = {angleAt(section.start()), angleAt(section.end())};
   station.lookedAt.reset();
+  station.aside = 0;
+  if (!foam_.slanted()) return;
+  // Sections wander along slanted planes; the blade need not go with them, as far as it is longer.
+  const Vector2d chord = station.section.back() - station.section.front();
+  const double upright = std::abs(chord.x()) / station.sectionLength;
+  const double spare = 0.5 * (length_ - station.sectionLength) - sweep_.request.clearance;
+  const double from = 0.5 * (station.section.back() + station.section.front()).x();
+  const double way = station.pose->frame.toLocal(sweep_.block.center()).x() - from;
+  station.aside = std::copysign(std::min(std::abs(way), std::max(0.0, upright * spare)), way * chord.x());
 }
 
 Station Row::at(std::size_t i) const {
@@ -190,7 +213,8 @@ void Row::watch(Station& station) const {
 Station Row::carried(std::size_t i, const Station& from) const {
   Station station = from;
   take(station, i);
-  const double foot = 0.5 * (station.feet.front() + station.feet.back());
+  const double foot = std::clamp(
+      0.5 * (station.feet.front() + station.feet.back()) + from.aside - station.aside, 0.0, length_);
   const double length = station.sectionLength;
   for (int k = 0; k < kStationPlaces; ++k)
     station.feet[std::size_t(k)] =
@@ -342,8 +366,8 @@ void Row::demand(Station& station, std::span<const Elastica::State> states, cons
     const auto row = Eigen::Index(end);
     const Eigen::Index place = end == 0 ? 0 : kStationPlaces - 1;
     if (request.fitEndpoints) {
-      station.demands(row) = station.own(place) / Station::shareOf(int(place));
-      station.byDemands.row(row) = station.byOwn.row(place) / Station::shareOf(int(place));
+      station.demands(row) = station.off(int(place));
+      station.byDemands.row(row) = station.byOwn.row(place) / station.shares[std::size_t(place)];
     }
     if (request.fitTangents) {
       const Elastica::State& state = states[std::size_t(place)];
@@ -431,7 +455,7 @@ void Row::look(Station& station, bool slopes) const {
   for (std::size_t k = 0; k < kStationPlaces; ++k) {
     const auto row = Eigen::Index(k);
     const Vector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
-    const double weight = Station::shareOf(int(k));
+    const double weight = station.shares[k];
     station.own(row) = weight * normal.dot(states[k].point - station.section[k]);
     if (slopes) station.byOwn.row(row) = weight * normal.transpose() * byPlaces[k];
   }
@@ -447,7 +471,8 @@ void Row::look(Station& station, bool slopes) const {
                                byBends[k].row(3).cwiseProduct(scale.transpose());
   }
   constexpr Eigen::Index kMiddle = kStationPlaces + kStationBends;
-  station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
+  station.own(kMiddle) =
+      kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) + station.aside - middle);
   if (slopes) {
     const auto along = [&](std::size_t k) -> Row6 {
       return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];

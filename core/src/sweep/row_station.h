@@ -16,6 +16,7 @@
 #include "bw/core/elastica/elastica.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/sweep.h"
+#include "sweep/in_foam.h"
 
 namespace bw::sweep {
 
@@ -39,7 +40,11 @@ struct Station {
   std::size_t index = 0;  ///< in the row
   const BladePose* pose = nullptr;
   std::array<Eigen::Vector2d, kStationPlaces> section;
+  /// What its places count: 1 in the block, less beside it (`InFoam`); and their shares in the rms over the
+  /// section, which are of one in sum.
+  std::array<double, kStationPlaces> counts, shares;
   double sectionLength = 0;                  ///< mm
+  double aside = 0;                          ///< mm along it, where the blade's middle is to be, from its own
   std::array<double, 2> sectionAngles = {};  ///< of its tangents at both ends
   double numbers[6] = {};
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
@@ -65,12 +70,15 @@ struct Station {
   Eigen::Matrix<double, kStationDemands, 1> demands = Eigen::Matrix<double, kStationDemands, 1>::Zero();
   Eigen::Matrix<double, kStationDemands, 6, Eigen::RowMajor> byDemands;
 
-  /// mm, of the farthest place of the section.
+  /// mm, of the farthest place of the section, as far as it counts.
   double distance() const {
     double farthest = 0;
-    for (int k = 0; k < kStationPlaces; ++k) farthest = std::max(farthest, std::abs(own(k)) / shareOf(k));
+    for (int k = 0; k < kStationPlaces; ++k)
+      farthest = std::max(farthest, counts[std::size_t(k)] * std::abs(off(k)));
     return farthest;
   }
+  /// mm, of a place of the section.
+  double off(int k) const { return own(k) / shares[std::size_t(k)]; }
   /// True if a grip is nearer to the block than it need be.
   bool lacksClearance() const { return own.segment<2>(kStationClearances).maxCoeff() > 0; }
   /// rad, that the grips are turned more than those of another one.
@@ -79,10 +87,6 @@ struct Station {
       return std::abs(std::remainder(grips(angle) - other.grips(angle), 2 * kPi));
     };
     return std::max(turn(2), turn(5));
-  }
-  /// Of a place in the rms over the section, by the trapezoidal rule.
-  static double shareOf(int k) {
-    return std::sqrt((k == 0 || k + 1 == kStationPlaces ? 0.5 : 1) / (kStationPlaces - 1));
   }
 };
 
@@ -124,6 +128,7 @@ class Row {
   }
   const Sweep& sweep() const { return sweep_; }
   const RunContext& context() const { return context_; }
+  const InFoam& foam() const { return foam_; }
   double unit() const { return unit_; }  ///< mm, of the numbers
 
  private:
@@ -167,6 +172,7 @@ class Row {
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
   Box passed_;                    ///< the block, going on along the travel
+  InFoam foam_;
 };
 
 /// Takes whole turns out of the angles between a station and the one before it; `unit` in mm, of the numbers.

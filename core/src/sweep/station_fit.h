@@ -15,6 +15,7 @@
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/sweep/sweep.h"
+#include "sweep/in_foam.h"
 
 namespace bw::sweep {
 
@@ -37,8 +38,8 @@ inline constexpr double kAllowance = 2.0;
 /// Lets the blade of station `i` hang between its grips, where it has weight.
 void hangInto(Sweep& sweep, std::size_t i);
 
-/// How far the blade of a pose lies from its section: R4 and distance of its fit.
-void compare(const BladePose& pose, StationFit& fit);
+/// How far the blade of a pose lies from its section: R4, and in the block the distance of its fit.
+void compare(const BladePose& pose, const InFoam& foam, StationFit& fit);
 
 /// A section that the blade of the request is too short for: what is `longest` mm needs its clearance
 /// besides.

@@ -14,6 +14,7 @@
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
+#include "sweep/in_foam.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
@@ -139,6 +140,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
   }
   const double stressAtLimit = sweep.request.blade.stress(sweep.request.blade.maxCurvature());
+  const sweep::InFoam foam(sweep.block);
+  std::vector<char> counts(cut.points.size());  // of what is cut of the block, or should be
   std::mutex errorMutex;
   std::optional<Error> firstError;
   int firstErrorChunk = kChunks;
@@ -172,6 +175,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
           }
           return;
         }
+        counts[at] = foam.holds(p) || foam.holds(foot->point);
         const double bend = blend(curvature[i], curvature[i + 1], f, c);
         const CutSample sample{sampler->offset(p, *foot),
                                blend(va.angle, vb.angle, g, c),
@@ -191,24 +195,28 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
 
   // Each sample counts with the area that it stands for, so that wide intervals do not hide behind narrow
   // ones (docs/mathematics.md, deviation).
-  const std::vector<double> areas = sweep::pointAreas(cut);
+  if (std::ranges::count(counts, 1) == 0) std::ranges::fill(counts, 1);
+  std::vector<double> areas = sweep::pointAreas(cut);
+  std::ranges::transform(areas, counts, areas.begin(),
+                         [](double area, char counted) { return counted ? area : 0; });
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   double squares = 0, beyond = 0, angles = 0;
-  std::size_t worst = 0;
+  auto worst = std::size_t(std::ranges::find(counts, 1) - counts.begin());
   const std::vector<double>&deviation = cut.field("deviation")->values, &angle = cut.field("angle")->values;
   for (std::size_t k = 0; k < deviation.size(); ++k) {
     const double d = std::abs(deviation[k]),
                  share = whole > 0 ? areas[k] / whole : 1.0 / double(areas.size());
-    if (d > std::abs(deviation[worst])) worst = k;
+    if (counts[k] && d > std::abs(deviation[worst])) worst = k;
     summary.deviationMean += share * d;
     squares += share * d * d;
     angles += share * angle[k];
     if (d > request.tolerance) beyond += share;
   }
   for (int i = 0; i < n; ++i) {
-    const auto row = deviation.begin() + std::ptrdiff_t(result.stationRow[std::size_t(i)]) * kColumns;
+    const auto row = std::size_t(result.stationRow[std::size_t(i)]) * kColumns;
     double largest = 0;
-    for (int c = 0; c < kColumns; ++c) largest = std::max(largest, std::abs(row[c]));
+    for (std::size_t k = row; k < row + kColumns; ++k)
+      if (counts[k]) largest = std::max(largest, std::abs(deviation[k]));
     result.stationDeviation.push_back(largest);
   }
   summary.deviationMax = std::abs(deviation[worst]);

@@ -113,12 +113,14 @@ struct SimulatedSurface {
   double covered = 0;                        ///< 0…1, of the travel of the surface shown
 };
 
-/// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`; of a run that
-/// halts what comes before. `cut`, unless it is null, gets what is cut: a row a moment from where the blade
-/// comes over the surface to where it leaves it, at equal arc length, with the fields "deviation" (mm from
-/// the target, signed where it has sides) and "from_shown" (mm). Errors: those of the sampler; `cancelled`.
+/// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`, and in the block,
+/// or nearest to what of the target lies there; of a run that halts what comes before. `cut`, unless it is
+/// null, gets what is cut: a row a moment from where the blade comes over the surface to where it leaves it,
+/// at equal arc length, with the fields "deviation" (mm from the target, signed where it has sides) and
+/// "from_shown" (mm). Errors: those of the sampler; `cancelled`.
 [[nodiscard]] Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
-                                               const PlaneFamily& planes, const SurfaceSampler& target,
-                                               const RunContext& context, SurfaceGrid* cut = nullptr);
+                                               const Box& block, const PlaneFamily& planes,
+                                               const SurfaceSampler& target, const RunContext& context,
+                                               SurfaceGrid* cut = nullptr);
 
 }  // namespace bw

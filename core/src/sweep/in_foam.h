@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/base/frame.h"
+#include "bw/core/base/line_in_box.h"
+#include "bw/core/sweep/sweep.h"
+
+namespace bw::sweep {
+
+/// What places beside the block have to do with what is cut of it. Sections in planes that meet it obliquely
+/// go on there, since the surface between two stations needs them (docs/mathematics.md, sections).
+class InFoam {
+ public:
+  explicit InFoam(const Box& block) : block_(block) {}
+  explicit InFoam(const Sweep& sweep) : InFoam(sweep.block) {
+    constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the block may lack 1
+    const Eigen::Vector3d& direction = sweep.planes.direction();
+    const Eigen::Vector3d along = block_.frame.toLocal(block_.frame.origin + direction);
+    slanted_ = !sweep.planes.turns() && along.cwiseAbs().maxCoeff() < 1 - kAlongEdge;
+    double widest = 0;
+    for (std::size_t i = 1; i < sweep.poses.size(); ++i)
+      widest = std::max(widest, std::abs(sweep.poses[i].travel - sweep.poses[i - 1].travel));
+    way_ = widest * direction;
+  }
+
+  /// True of parallel planes that meet the block obliquely.
+  bool slanted() const { return slanted_; }
+
+  bool holds(const Eigen::Vector3d& place) const {
+    const Eigen::Vector3d local = block_.frame.toLocal(place);
+    return (local.array() >= -kSlack).all() && ((local - block_.size).array() <= kSlack).all();
+  }
+  /// What a place of a section counts: 1 in the block. Before or behind it along slanted travel it is less by
+  /// the way from there in parts of the widest one from station to station, which is the share that the place
+  /// has in the surface where that enters the block; 0 for the rest.
+  double share(const Eigen::Vector3d& place) const {
+    if (!slanted_ || holds(place)) return 1;
+    const auto in = lineInBox(block_.size, block_.frame.toLocal(place - way_),
+                              block_.frame.toLocal(place + way_), kSlack);
+    if (!in) return 0;
+    return 1 - std::min(std::abs(2 * (*in)[0] - 1), std::abs(2 * (*in)[1] - 1));
+  }
+
+ private:
+  static constexpr double kSlack = 0.05;  ///< mm that count as in the block
+
+  Box block_;
+  Eigen::Vector3d way_ = Eigen::Vector3d::Zero();
+  bool slanted_ = false;
+};
+
+}  // namespace bw::sweep
