@@ -178,6 +178,56 @@ TEST_F(DesignStep, EscapeGivesTheDragOfASliderUp) {
   EXPECT_TRUE(bench().current()) << "the computation of the design was stopped";
 }
 
+TEST_F(DesignStep, TheKeyboardStaysWhereAKindOfSurfaceIsChosen) {
+  makeWindow({1280, 800});
+  open("ripple-along");
+  auto& panel = window().workflow();
+  const auto where = [] {
+    const QWidget* widget = QApplication::focusWidget();
+    return widget ? widget->accessibleName().toStdString() + " (" + widget->metaObject()->className() + ")"
+                  : std::string("nowhere");
+  };
+  const auto laidOut = [] {
+    QTest::qWait(20);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  };
+  auto* kind = find<ChoiceField>("Surface");
+  ASSERT_TRUE(kind);
+  panel.ensureWidgetVisible(kind, 0, 200);
+  laidOut();
+  kind->setFocus(Qt::TabFocusReason);
+  ASSERT_EQ(QApplication::focusWidget(), kind) << where();
+  const auto place = [&] { return kind->mapTo(&panel, QPoint()).y(); };
+  const int stood = place();
+  // From kind to kind by keys to whatever has the keyboard.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  ASSERT_TRUE(std::holds_alternative<SectionsSurface>(bench().design().source().surface->shape));
+  laidOut();
+  EXPECT_EQ(QApplication::focusWidget(), kind) << where();
+  EXPECT_EQ(kind->currentText(), "Sections");
+  EXPECT_EQ(place(), stood) << "the panel was scrolled";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+  ASSERT_TRUE(std::holds_alternative<PolesSurface>(bench().design().source().surface->shape)) << where();
+  laidOut();
+  EXPECT_EQ(QApplication::focusWidget(), kind) << where();
+  EXPECT_EQ(find<ChoiceField>("Surface"), kind);
+  picture("kind-by-keys");
+  // Also when the result comes.
+  ASSERT_TRUE(settle());
+  laidOut();
+  EXPECT_EQ(QApplication::focusWidget(), kind) << where();
+  // Tab goes on to its numbers, and back.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget()->accessibleName(), "Poles across") << where();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(QApplication::focusWidget(), kind) << where();
+  // Enter gives it back to the picture, as after any choice.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(QApplication::focusWidget(), &window().sceneView()) << where();
+}
+
 TEST_F(DesignStep, AFormulaIsTakenOrRefusedWithItsCharacter) {
   open("ripple-along");
   type<FormulaField>("Formula", "300 - 50*((x - 300)/300)^2 + amplitud");

@@ -28,6 +28,7 @@ namespace {
 
 constexpr std::size_t kMostFields = 120;  // more numbers are for the file
 constexpr int kGridFieldWidth = 62;
+constexpr int kLineSpacing = 6;  // as between the lines of a form
 constexpr int kMostColumns = 4;  // of poles beside each other; more scroll
 
 std::string at(const std::string& list, std::size_t i) { return list + "/" + std::to_string(i); }
@@ -152,7 +153,21 @@ void FormulaField::focusOutEvent(QFocusEvent* event) {
 }
 
 SurfaceFields::SurfaceFields(Workbench& bench, Shows shows, QWidget* parent)
-    : QWidget(parent), bench_(bench), shows_(shows), layout_(makeBox<QVBoxLayout>(this, {}, 0)) {
+    : QWidget(parent), bench_(bench), shows_(shows) {
+  auto* all = makeBox<QVBoxLayout>(this, {}, shows == Shows::whole ? kLineSpacing : 0);
+  if (shows == Shows::whole) {
+    // Made once: whoever chooses by keyboard stays here while the lines below become others.
+    auto* head = new FormColumn(this);
+    kinds_ = head->add(tr("Surface"), new ChoiceField,
+                       tr("How the surface is told; another kind begins near the one before"));
+    kinds_->addItems({tr("Poles"), tr("Formula"), tr("Sections"), tr("Key blades")});
+    connect(kinds_, &QComboBox::activated, this, &SurfaceFields::changeKind);
+    all->addWidget(head);
+  }
+  layout_ = new QVBoxLayout;
+  layout_->setContentsMargins({});
+  layout_->setSpacing(0);
+  all->addLayout(layout_);
   hide();
 }
 
@@ -206,20 +221,23 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
   ends_.clear();
   tangents_.clear();
   sectionKinds_.clear();
-  kinds_ = lofts_ = nullptr;
+  lofts_ = nullptr;
   columns_ = rows_ = nullptr;
   formula_ = nullptr;
   auto* column = new FormColumn(this);
   layout_->addWidget(column);
   if (shows_ == Shows::curve) return addCurve(column, surface);
-  kinds_ = column->add(tr("Surface"), new ChoiceField,
-                       tr("How the surface is told; another kind begins near the one before"));
-  kinds_->addItems({tr("Poles"), tr("Formula"), tr("Sections"), tr("Key blades")});
-  connect(kinds_, &QComboBox::activated, this, &SurfaceFields::changeKind);
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) addPoles(column, *poles);
   if (std::holds_alternative<FormulaSurface>(surface.shape)) addFormula(column);
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) addSections(column, *loft);
   if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) addBlades(column, *blades);
+  // The keyboard goes from the kind through these lines, which came last.
+  QWidget* before = kinds_;
+  for (QWidget* line : column->findChildren<QWidget*>()) {
+    if (line->window() != window() || !(line->focusPolicy() & Qt::TabFocus)) continue;
+    setTabOrder(before, line);
+    before = line;
+  }
 }
 
 NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, const QString& name,

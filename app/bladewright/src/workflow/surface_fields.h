@@ -122,9 +122,9 @@ class SurfaceFields : public QWidget {
   Workbench& bench_;
   Shows shows_;
   std::optional<int> curve_;
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = nullptr;  ///< of the lines
   std::string built_;  ///< what the lines are for
-  ChoiceField* kinds_ = nullptr;
+  ChoiceField* kinds_ = nullptr;  ///< stays; those below are made for each kind
   ChoiceField* lofts_ = nullptr;
   std::vector<std::pair<std::size_t, ChoiceField*>> sectionKinds_;  ///< by their section
   NumberField *columns_ = nullptr, *rows_ = nullptr;
