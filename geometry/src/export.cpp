@@ -166,14 +166,17 @@ Result<int> splineThrough(StepText& text, const Points& points, const std::strin
 Result<std::string> curvesStepText(std::span<const NamedCurve> curves, const std::string& name) {
   return guarded(ErrorCode::noSolution, "the curves could not be written", [&]() -> Result<std::string> {
     StepText text;
-    std::vector<int> ids;
-    for (const NamedCurve& curve : curves)
+    std::vector<StepText::Wire> wires;
+    for (const NamedCurve& curve : curves) {
+      StepText::Wire wire{curve.name, curve.layer, {}};
       for (const Points& piece : smoothPieces(curve.points)) {
         const Result<int> id = splineThrough(text, piece, curve.name);
         if (!id) return tl::unexpected<Error>(id.error());
-        ids.push_back(*id);
+        wire.curves.push_back(*id);
       }
-    return text.curveFile(ids, name);
+      if (!wire.curves.empty()) wires.push_back(std::move(wire));
+    }
+    return text.curveFile(wires, name);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "step_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -175,39 +176,117 @@ std::string StepText::file(const std::vector<int>& shells, const std::string& na
                 "MANIFOLD_SURFACE_SHAPE_REPRESENTATION", name);
 }
 
-std::string StepText::curveFile(const std::vector<int>& curves, const std::string& name) {
-  return fileOf(add("GEOMETRIC_CURVE_SET(" + stepString(name) + "," + list(curves, ref) + ")"),
-                "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", name);
+std::string StepText::curveFile(const std::vector<Wire>& wires, const std::string& name) {
+  const int units = metric();
+  Shared common = shared();
+  std::vector<std::string> layers;
+  for (const Wire& wire : wires)
+    if (std::ranges::find(layers, wire.layer) == layers.end()) layers.push_back(wire.layer);
+  std::vector<Part> all;
+  for (const std::string& layer : layers) {
+    std::vector<Part> parts;
+    std::vector<int> sets;
+    for (const Wire& wire : wires) {
+      if (wire.layer != layer) continue;
+      const std::string quoted = stepString(wire.name);
+      sets.push_back(add("GEOMETRIC_CURVE_SET(" + quoted + "," + list(wire.curves, ref) + ")"));
+      Part part{wire.name};
+      part.placement = placement();
+      part.shape = add("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION(" + quoted + ",(" +
+                       ref(part.placement) + "," + ref(sets.back()) + ")," + ref(units) + ")");
+      part.definition = product(wire.name, common);
+      shapeOf(part.definition, part.shape);
+      parts.push_back(std::move(part));
+    }
+    if (layer.empty()) {
+      all.insert(all.end(), parts.begin(), parts.end());
+      continue;
+    }
+    add("PRESENTATION_LAYER_ASSIGNMENT(" + stepString(layer) + ",''," + list(sets, ref) + ")");
+    all.push_back(assembly(parts, layer, units, common));
+  }
+  assembly(all, name, units, common);
+  return whole(name);
 }
 
-std::string StepText::fileOf(int model, const std::string& representation, const std::string& name) {
-  const std::string quoted = stepString(name);
+int StepText::placement() {
+  return placement(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
+}
+
+int StepText::metric() {
   const int length = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
   const int angle = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
   const int solid = add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
   const int accuracy = add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07)," + ref(length) +
                            ",'distance_accuracy_value','largest gap at the borders')");
-  const int context = add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
-                          ref(accuracy) + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," +
-                          ref(angle) + "," + ref(solid) + "))REPRESENTATION_CONTEXT('',''))");
-  const int place = placement(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
-  const int shape =
-      add(representation + "(" + quoted + ",(" + ref(place) + "," + ref(model) + ")," + ref(context) + ")");
-  const int application = add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+  return add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + ref(accuracy) +
+             "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," + ref(angle) + "," + ref(solid) +
+             "))REPRESENTATION_CONTEXT('',''))");
+}
+
+StepText::Shared StepText::shared() {
+  Shared all;
+  all.application = add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
   add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," +
-      ref(application) + ")");
-  const int productContext = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
-  const int product = add("PRODUCT(" + quoted + "," + quoted + ",'',(" + ref(productContext) + "))");
-  add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(product) + "))");
-  const int formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(product) + ")");
-  const int definitionContext =
-      add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
-  const int definition =
-      add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(definitionContext) + ")");
+      ref(all.application) + ")");
+  all.product = add("PRODUCT_CONTEXT(''," + ref(all.application) + ",'mechanical')");
+  return all;
+}
+
+int StepText::product(const std::string& name, Shared& shared) {
+  const std::string quoted = stepString(name);
+  const int id = add("PRODUCT(" + quoted + "," + quoted + ",'',(" + ref(shared.product) + "))");
+  add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(id) + "))");
+  const int formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(id) + ")");
+  if (shared.definition == 0)
+    shared.definition =
+        add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(shared.application) + ",'design')");
+  return add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(shared.definition) + ")");
+}
+
+void StepText::shapeOf(int definition, int shape) {
   const int definitionShape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(definition) + ")");
   add("SHAPE_DEFINITION_REPRESENTATION(" + ref(definitionShape) + "," + ref(shape) + ")");
+}
 
-  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME(" + quoted +
+StepText::Part StepText::assembly(const std::vector<Part>& parts, const std::string& name, int metric,
+                                  Shared& shared) {
+  Part all{name};
+  all.placement = placement();
+  std::vector<int> places = {all.placement};
+  for (std::size_t i = 0; i < parts.size(); ++i) places.push_back(placement());
+  all.shape =
+      add("SHAPE_REPRESENTATION(" + stepString(name) + "," + list(places, ref) + "," + ref(metric) + ")");
+  all.definition = product(name, shared);
+  shapeOf(all.definition, all.shape);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    const int use =
+        add("NEXT_ASSEMBLY_USAGE_OCCURRENCE('" + integer(int(i) + 1) + "'," + stepString(part.name) + ",''," +
+            ref(all.definition) + "," + ref(part.definition) + ",$)");
+    const int useShape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(use) + ")");
+    const int way =
+        add("ITEM_DEFINED_TRANSFORMATION('',''," + ref(part.placement) + "," + ref(places[i + 1]) + ")");
+    const int relation = add("(REPRESENTATION_RELATIONSHIP('',''," + ref(part.shape) + "," + ref(all.shape) +
+                             ")REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" + ref(way) +
+                             ")SHAPE_REPRESENTATION_RELATIONSHIP())");
+    add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" + ref(relation) + "," + ref(useShape) + ")");
+  }
+  return all;
+}
+
+std::string StepText::fileOf(int model, const std::string& representation, const std::string& name) {
+  const int units = metric();
+  const int place = placement();
+  const int shape = add(representation + "(" + stepString(name) + ",(" + ref(place) + "," + ref(model) +
+                        ")," + ref(units) + ")");
+  Shared common = shared();
+  shapeOf(product(name, common), shape);
+  return whole(name);
+}
+
+std::string StepText::whole(const std::string& name) const {
+  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME(" + stepString(name) +
          ",'',(''),(''),'Bladewright','Bladewright','');\n"
          "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n" +
          body_ + "ENDSEC;\nEND-ISO-10303-21;\n";

@@ -40,12 +40,37 @@ class StepText {
   int shell(int surface, const std::vector<Side>& border, const std::string& name);
   /// The whole file: a part of these shells.
   std::string file(const std::vector<int>& shells, const std::string& name);
-  /// The same of curves alone.
-  std::string curveFile(const std::vector<int>& curves, const std::string& name);
+  /// Curves that are one part, and the layer that they lie on; none where that is empty.
+  struct Wire {
+    std::string name, layer;
+    std::vector<int> curves;
+  };
+  /// The same of curves alone: a part of each wire, in an assembly of each layer, in one of all.
+  std::string curveFile(const std::vector<Wire>& wires, const std::string& name);
 
  private:
+  /// What products have in common.
+  struct Shared {
+    int application = 0, product = 0;
+    int definition = 0;  ///< with the first product
+  };
+  /// A part, or an assembly of such.
+  struct Part {
+    std::string name;
+    int definition = 0, shape = 0, placement = 0;
+  };
+
+  /// Lengths in mm, angles in rad.
+  int metric();
+  Shared shared();
+  /// The definition of a product.
+  int product(const std::string& name, Shared& shared);
+  void shapeOf(int definition, int shape);
+  int placement();
+  Part assembly(const std::vector<Part>& parts, const std::string& name, int metric, Shared& shared);
   /// The whole file: a part whose shape is `model`, of that kind of representation.
   std::string fileOf(int model, const std::string& representation, const std::string& name);
+  std::string whole(const std::string& name) const;
 
   std::string body_;
   int count_ = 0;

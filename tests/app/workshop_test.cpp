@@ -223,6 +223,39 @@ std::map<std::string, std::vector<std::vector<Eigen::Vector3d>>> polylinesOf(con
   return layers;
 }
 
+/// The texts of a DXF, by their layers.
+std::map<std::string, std::vector<std::string>> textsOf(const std::string& dxf) {
+  std::map<std::string, std::vector<std::string>> layers;
+  std::istringstream in(dxf);
+  std::string code, value, entity, layer;
+  while (std::getline(in, code) && std::getline(in, value)) {
+    const int number = std::stoi(code);
+    if (number == 0) entity = value;
+    if (number == 8) layer = value;
+    if (entity == "TEXT" && number == 1) layers[layer].push_back(value);
+  }
+  return layers;
+}
+
+TEST(Workshop, CurvesHaveTheirNamesInDxfAndStep) {
+  Design design = example("three-block-wall", 9);
+  for (Cut& cut : design.cuts)
+    if (cut.id == "cut-column-2") cut.id = "übergang";
+  design.grid.reset();
+  const Product product = made(design);
+  const std::string dxf = file(product, "curves.dxf"), step = file(product, "curves.step");
+  const auto texts = textsOf(dxf);
+  EXPECT_EQ(texts.at("seam-names"),
+            (std::vector<std::string>{"cut-column-1 | \\U+00FCbergang", "\\U+00FCbergang | cut-column-3"}));
+  EXPECT_EQ(texts.at("outline-names").size(), 8u);
+  EXPECT_EQ(texts.at("outline-names").front(), "cut-column-1 start");
+  EXPECT_EQ(dxf.find("\u00fc"), std::string::npos) << "ASCII alone";
+  // A product each, and an assembly of each kind.
+  for (const char* name : {"'curves'", "'seam'", "'outline'", "'seam cut-column-1 | \\X2\\00FC\\X0\\bergang'",
+                           "'outline cut-column-1 start'"})
+    EXPECT_NE(step.find(std::string("=PRODUCT(") + name), std::string::npos) << name;
+}
+
 TEST(Workshop, GetsTheCurvesOfAWallAndOfCrossingCuts) {
   const auto wall = polylinesOf(file(made(example("three-block-wall", 9)), "curves.dxf"));
   ASSERT_EQ(wall.at("seam").size(), 2u);

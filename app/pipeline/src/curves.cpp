@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 #include "block_layout.h"
+#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/requests.h"
 #include "make_files.h"
@@ -38,6 +41,47 @@ Sides sidesOf(const SurfaceGrid& grid) {
     sides[3].points.push_back(grid.at(r, grid.columns - 1));
   }
   return sides;
+}
+
+constexpr const char* kNames = "-names";  // after the layer whose curves they are of
+constexpr double kLetters = 12;           // mm, the height of names
+
+/// A text as DXF of any release has it: other letters than those of ASCII by their number.
+std::string dxfWords(const std::string& utf8) {
+  std::string text;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto first = static_cast<unsigned char>(utf8[i]);
+    const std::size_t size = first < 0x80 ? 1 : (first >> 5) == 6 ? 2 : (first >> 4) == 14 ? 3 : 4;
+    std::uint32_t letter = size == 1 ? first : first & (0xffu >> (size + 1));
+    for (std::size_t k = 1; k < size && i + k < utf8.size(); ++k)
+      letter = letter << 6 | (static_cast<unsigned char>(utf8[i + k]) & 63u);
+    i += size;
+    if (letter < 0x20 || letter == 0x7f) {
+      text += ' ';
+    } else if (letter < 0x7f) {
+      text += char(letter);
+    } else if (letter > 0xffff) {
+      text += '?';  // it has four digits
+    } else {
+      text += "\\U+";
+      for (int shift = 12; shift >= 0; shift -= 4) text += "0123456789ABCDEF"[(letter >> shift) & 15];
+    }
+  }
+  return text;
+}
+
+/// Where the name of a curve stands, and how it is turned about z, degrees.
+struct NamePlace {
+  Eigen::Vector3d at;
+  double turn = 0;
+};
+NamePlace placeOfName(const Points& points) {
+  const std::size_t middle = points.size() / 2, from = middle > 0 ? middle - 1 : 0;
+  const Eigen::Vector3d along = points[middle] - points[from];
+  double turn = toDegrees(std::atan2(along.y(), along.x()));
+  if (turn > 90) turn -= 180;  // it is not read upside down
+  if (turn <= -90) turn += 180;
+  return {points[middle], along.head<2>().norm() > 0 ? turn : 0};
 }
 
 /// The side that lies along a plane; null if none does.
@@ -78,9 +122,10 @@ std::vector<CurveLayer> curvesOf(const Evaluation& e) {
   for (const BlockEvaluation& block : e.blocks)
     if (block.together.value)
       for (const Crease& crease : block.together.value->creases)
-        for (const Polyline& curve : crease.curves)
-          creases.curves.push_back(
-              {block.cuts[crease.first].id + " | " + block.cuts[crease.second].id, curve});
+        for (std::size_t i = 0; i < crease.curves.size(); ++i)
+          creases.curves.push_back({block.cuts[crease.first].id + " | " + block.cuts[crease.second].id +
+                                        (i > 0 ? " (" + std::to_string(i + 1) + ")" : std::string()),
+                                    crease.curves[i]});
   std::vector<CurveLayer> layers = {std::move(seams), std::move(outlines), std::move(creases)};
   std::erase_if(layers, [](const CurveLayer& layer) { return layer.curves.empty(); });
   return layers;
@@ -106,14 +151,17 @@ std::string dxfText(const std::vector<CurveLayer>& layers) {
   section("TABLES");
   put(0, "TABLE");
   put(2, "LAYER");
-  put(70, std::to_string(layers.size()));
+  put(70, std::to_string(2 * layers.size()));
   int colour = 0;
   for (const CurveLayer& layer : layers) {
-    put(0, "LAYER");
-    put(2, layer.name);
-    put(70, "0");
-    put(62, std::to_string(++colour));
-    put(6, "CONTINUOUS");
+    ++colour;
+    for (const std::string& name : {layer.name, layer.name + kNames}) {
+      put(0, "LAYER");
+      put(2, name);
+      put(70, "0");
+      put(62, std::to_string(colour));
+      put(6, "CONTINUOUS");
+    }
   }
   put(0, "ENDTAB");
   put(0, "ENDSEC");
@@ -133,6 +181,17 @@ std::string dxfText(const std::vector<CurveLayer>& layers) {
       }
       put(0, "SEQEND");
       put(8, layer.name);
+    }
+  for (const CurveLayer& layer : layers)
+    for (const geometry::NamedCurve& curve : layer.curves) {
+      if (curve.points.empty()) continue;
+      const NamePlace place = placeOfName(curve.points);
+      put(0, "TEXT");
+      put(8, layer.name + kNames);
+      coordinates(place.at);
+      put(40, fixedText(kLetters, 1));
+      put(1, dxfWords(curve.name));
+      put(50, fixedText(place.turn, 3));
     }
   put(0, "ENDSEC");
   put(0, "EOF");

@@ -20,11 +20,13 @@ struct CurveLayer {
 
 /// Of an evaluation with results of all cuts: "seam", the lines along which surfaces of neighbouring blocks
 /// meet, which are seen on what is cast; "outline", the other borders of each cut surface in its block;
-/// "crease", the edges that cuts of a block leave. Points in the file's frame, mm. Layers without curves are
-/// left out.
+/// "crease", the edges that cuts of a block leave. Each has a name of its own in its layer. Points in the
+/// file's frame, mm. Layers without curves are left out.
 std::vector<CurveLayer> curvesOf(const Evaluation& evaluation);
 
-/// The curves as polylines in space, DXF of release 12, mm, each kind in its layer and its colour.
+/// The curves as polylines in space, DXF of release 12, mm, each kind in its layer and its colour. Polylines
+/// of that release have no names: these stand as texts at the middles of the curves, in a layer of their own
+/// beside that of the kind ("seam-names").
 std::string dxfText(const std::vector<CurveLayer>& layers);
 
 }  // namespace bw::pipeline

@@ -316,7 +316,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         std::vector<geometry::NamedCurve> all;
         for (const CurveLayer& layer : layers)
           for (const geometry::NamedCurve& curve : layer.curves)
-            all.push_back({layer.name + " " + curve.name, curve.points});
+            all.push_back({layer.name + " " + curve.name, curve.points, layer.name});
         Result<std::string> step = geometry::curvesStepText(all, "curves");
         if (step)
           texts[7] = std::move(*step);

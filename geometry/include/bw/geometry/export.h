@@ -30,14 +30,16 @@ struct NamedSurface {
 /// The same of several surfaces, a shell of one face each, in a part called `name`.
 Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::string& name);
 
-/// Points along a curve and its name.
+/// Points along a curve, its name, and that of the layer that it lies on, if any.
 struct NamedCurve {
   std::string name;
   std::vector<Eigen::Vector3d> points;
+  std::string layer = {};
 };
 /// Curves as STEP AP214 text in mm: of each the cubic B-spline through its points, in as many pieces as it
-/// has corners (turns of more than 20°) and one. Points that lie in one place count once; what is no curve
-/// then is left out. The head is that of a surface's. Error `noSolution` where numbers overflow.
+/// has corners (turns of more than 20°) and one, as a part of its name, in an assembly of its layer. Points
+/// that lie in one place count once; what is no curve then is left out. The head is that of a surface's.
+/// Error `noSolution` where numbers overflow.
 Result<std::string> curvesStepText(std::span<const NamedCurve> curves, const std::string& name);
 
 /// The surface as IGES text in mm, one trimmed face; the head carries no date and no machine, as with STEP.
