@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// Buttons of messages that reach beyond the cut selected: more stations where blocks meet, and a block that
-// is split across the blade.
+// Buttons of messages that reach beyond the cut selected: more stations where blocks meet, and what helps
+// where one end of the blade is slow: a block that is split across the blade, and other planes.
 
 #include <algorithm>
 #include <set>
 
-#include "bw/core/blade/cutting_limits.h"
-#include "bw/core/design/grid_change.h"
 #include "bw/pipeline/example_design.h"
 #include "window_fixture.h"
 #include "workbench/joint_stations.h"
-#include "workbench/split_block.h"
 
 namespace bw::app {
 namespace {
@@ -28,65 +25,6 @@ Design swinging() {
   design.cut().sections.stations = 49;
   design.output.programs.clear();
   return resolved(design).value();
-}
-
-const Finding* unevenSpeed(const Findings& findings) {
-  const auto found = std::ranges::find_if(
-      findings, [](const Finding& finding) { return std::holds_alternative<UnevenSpeed>(finding.cause); });
-  return found == findings.end() ? nullptr : &*found;
-}
-
-TEST(SplitBlock, KeepsThePointsOfABladeAboutAsFastAsEachOther) {
-  const Design design = swinging();
-  const pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, {});
-  const pipeline::CutEvaluation& cut = outcome.evaluation.cut();
-  ASSERT_TRUE(cut.sweep.value && cut.check.value);
-  ASSERT_TRUE(unevenSpeed(outcome.evaluation.findings()));
-  const BlockGrid before = bw::gridOf(design, *design.block().placement).value();
-  const auto split = splitForSpeed(before, design.block().id, *cut.sweep.value, *cut.check.value);
-  ASSERT_TRUE(split);
-  EXPECT_EQ(split->sizes[0], (std::vector<double>{300, 300})) << "across the blade, in equal parts";
-  EXPECT_EQ(split->gaps[0], std::vector<double>{0});
-  EXPECT_EQ(split->sizes[1], before.sizes[1]);
-  EXPECT_EQ(partsOf(before, *split), 2u);
-  const std::optional<Design> parted = withSplit(design, before, *split, design.block().id);
-  ASSERT_TRUE(parted);
-  EXPECT_EQ(parted->sources, design.sources) << "the surface stays where it is";
-  ASSERT_EQ(parted->cuts.size(), 2u);
-  const pipeline::Outcome after = pipeline::evaluate(*parted, nullptr, {});
-  for (const pipeline::BlockEvaluation& block : after.evaluation.blocks) {
-    ASSERT_TRUE(block.cuts[0].check.value);
-    for (const StationCheck& station : block.cuts[0].check.value->stations)
-      EXPECT_GE(station.speedRatio, kSpeedRatioLimit) << block.id;
-  }
-  EXPECT_FALSE(unevenSpeed(after.evaluation.findings()));
-}
-
-TEST(SplitBlock, IsNoneWhereItWouldNotHelp) {
-  const Design design = swinging();
-  const pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, {});
-  const pipeline::CutEvaluation& cut = outcome.evaluation.cut();
-  ASSERT_TRUE(cut.sweep.value && cut.check.value);
-  const BlockGrid before = bw::gridOf(design, *design.block().placement).value();
-  // Where one end stands still no part is narrow enough.
-  SweepCheck still = *cut.check.value;
-  for (StationVelocity& station : still.velocities)
-    for (std::size_t k = 0; k < station.relative.size(); ++k)
-      station.relative[k] = 1e-4 + double(k) / double(station.relative.size());
-  EXPECT_FALSE(splitForSpeed(before, design.block().id, *cut.sweep.value, still));
-  // In unequal parts, narrow where the blade is slow.
-  for (StationVelocity& station : still.velocities)
-    for (std::size_t k = 0; k < station.relative.size(); ++k) {
-      const double share = double(k) / double(station.relative.size() - 1);
-      station.relative[k] = share < 0.2 ? 0.12 + 0.9 * share : 0.3 + 0.7 * (share - 0.2) / 0.8;
-    }
-  const auto split = splitForSpeed(before, design.block().id, *cut.sweep.value, still);
-  ASSERT_TRUE(split);
-  EXPECT_GT(split->sizes[0].front(), split->sizes[0].back()) << "curves begin at the right";
-  // A block that lies askew to the blade.
-  BlockGrid askew = before;
-  askew.rotation.z() = 0.7;
-  EXPECT_FALSE(splitForSpeed(askew, design.block().id, *cut.sweep.value, *cut.check.value));
 }
 
 class MessageButtons : public WindowTest {
@@ -184,8 +122,9 @@ TEST_F(MessageButtons, GapsAtStationsHaveNone) {
   EXPECT_FALSE(offered(at, "stations"));
 }
 
+constexpr const char* kUneven = "the slowest point of the blade moves at";
+
 TEST_F(MessageButtons, UnevenSpeedHasABlockThatIsSplit) {
-  constexpr const char* kUneven = "the slowest point of the blade moves at";
   ASSERT_TRUE(window().openExample("ripple-along"));
   bench().editDesign("Prepare", [](Design& design) {
     design = swinging();
@@ -193,21 +132,52 @@ TEST_F(MessageButtons, UnevenSpeedHasABlockThatIsSplit) {
   });
   ASSERT_TRUE(settle());
   window().commands()["tab.messages"]->trigger();
-  ASSERT_TRUE(sought(kUneven, "Search the direction"));
   ASSERT_TRUE(sought(kUneven, "Split"));
+  EXPECT_GE(line("split across the blade at 200 and 400 mm along the block's x it is "), 0);
   picture("speed-remedy");
   const Design before = bench().design();
   QPushButton* button = sought(kUneven, "Split");
   ASSERT_TRUE(button);
-  EXPECT_EQ(button->text(), "Split the block in 2 across the blade");
+  EXPECT_EQ(button->text(), "Split the block in 3 across the blade");
   QTest::mouseClick(button, Qt::LeftButton);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(bench().design().stock.size(), 2u);
-  EXPECT_EQ(bench().document().undoStack().undoText(), "Split the block in 2 across the blade");
+  EXPECT_EQ(bench().design().stock.size(), 3u) << "in 2 parts no way leads the blade out of one";
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Split the block in 3 across the blade");
   EXPECT_LT(line(kUneven), 0);
   picture("speed-remedy-taken");
   bench().document().undoStack().undo();
   EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(MessageButtons, BladesThatTurnFarHaveParallelPlanesAndASplit) {
+  ASSERT_TRUE(window().openExample("turning-blades"));
+  bench().editDesign("Prepare", [](Design& design) {
+    for (Variable& variable : design.variables)
+      if (variable.name == "turn") variable.value = 8;
+    design = resolved(design).value();
+  });
+  ASSERT_TRUE(settle());
+  window().commands()["tab.messages"]->trigger();
+  ASSERT_TRUE(sought(kUneven, "Take parallel planes"));
+  picture("speed-remedy-planes");
+  const Design before = bench().design();
+  QPushButton* split = sought(kUneven, "Split the block in 2 across the blade");
+  ASSERT_TRUE(split);
+  QTest::mouseClick(split, Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().design().stock.size(), 2u);
+  EXPECT_LT(line(kUneven), 0);
+  picture("speed-remedy-turning-split");
+  bench().document().undoStack().undo();
+  ASSERT_EQ(bench().design(), before);
+  ASSERT_TRUE(settle());
+  QPushButton* planes = sought(kUneven, "Take parallel planes");
+  ASSERT_TRUE(planes);
+  QTest::mouseClick(planes, Qt::LeftButton);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Take parallel planes");
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().design().cut().direction);
+  EXPECT_LT(line(kUneven), 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -470,6 +471,65 @@ TEST(Blocks, OfLayersThatDoNotMeetEndWithStatusOneToo) {
   EXPECT_EQ(run.err.find("meet with"), std::string::npos) << run.err;
   EXPECT_LT(joined["gap_max_mm"], 1e-3);
   EXPECT_LT(joined["angle_max_deg"], 0.01);
+}
+
+/// The least ratio of speeds of each row.
+std::vector<double> speedRatios(const json& report) {
+  std::vector<double> ratios;
+  for (const json& strip : report["strips"]) {
+    ratios.push_back(1);
+    for (const json& station : strip["stations"])
+      ratios.back() = std::min(ratios.back(), station["speed_ratio"].get<double>());
+  }
+  return ratios;
+}
+
+TEST(Designed, ABladeOneEndOfWhichNearlyStandsStillIsToldWhatHelps) {
+  const Folder folder;
+  // The example whose key blades turn, as far as its slider goes.
+  json design = json::parse(slurp(exampleIn(folder, "turning-blades")));
+  for (json& variable : design["variables"])
+    if (variable["name"] == "turn") variable["value"] = variable["max"];
+  const std::string file = folder.write("turned.bladewright", design.dump());
+  const Finished run = blade({"design", file, "--out", folder / "out"});
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  json speed;
+  for (const json& issue : report["issues"])
+    if (issue["kind"] == "speed" && (speed.is_null() || issue["speed_ratio"] < speed["speed_ratio"]))
+      speed = issue;
+  ASSERT_FALSE(speed.is_null()) << run.err;
+  EXPECT_NEAR(speed["speed_ratio"].get<double>(), speedRatios(report)[0], 1e-9);
+  EXPECT_NE(run.err.find("split across the blade at "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("in parallel planes, travelling along (0, 1, 0), it is "), std::string::npos)
+      << run.err;
+  // Both are what designs with them come to.
+  const auto done = [&](const char* name) {
+    const Finished again = blade(
+        {"design", folder.write(std::string(name) + ".bladewright", design.dump()), "--out", folder / name});
+    const json now = json::parse(slurp(folder / (std::string(name) + "/report.json")));
+    for (const json& issue : now["issues"]) EXPECT_NE(issue["kind"], "speed") << issue;
+    return speedRatios(now);
+  };
+  EXPECT_EQ(speed["planes"]["family"], "parallel");
+  design["cuts"][0]["direction"] = speed["planes"]["direction"];
+  EXPECT_NEAR(done("parallel")[0], speed["planes"]["speed_ratio"].get<double>(), 1e-6);
+  design["cuts"][0].erase("direction");
+  design["cuts"][0].erase("block");
+  const json block = design["stock"][0]["block"], parts = speed["split"]["parts"];
+  EXPECT_EQ(speed["split"]["along"], "x");
+  ASSERT_GE(parts.size(), 2u);
+  json widths = json::array();
+  for (const json& part : parts)
+    widths.push_back(part["to_mm"].get<double>() - part["from_mm"].get<double>());
+  design.erase("stock");
+  design["grid"] = {
+      {"origin", block["origin"]},
+      {"columns", parts.size()},
+      {"sizes", {{"columns", widths}, {"rows", block["size"][1]}, {"layers", block["size"][2]}}}};
+  const std::vector<double> ratios = done("split");
+  ASSERT_EQ(ratios.size(), parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    EXPECT_NEAR(ratios[i], parts[i]["speed_ratio"].get<double>(), 1e-6) << i;
 }
 
 TEST(Blocks, ThatDoNotMeetEndWithStatusOne) {

@@ -190,6 +190,27 @@ TEST(Findings, TellTheRemediesTheyHold) {
           .find("at the cell's home, as the program begins, the blade would be 3 mm below the face that "
                 "the block lies on; a home that lies 23 mm higher keeps it"),
       std::string::npos);
+  UnevenSpeed uneven{0.144};
+  const std::string slow =
+      "station 8: the slowest point of the blade moves at 14 % of the fastest, so that it melts a wider kerf "
+      "there; ";
+  EXPECT_EQ(said(uneven, kOne),
+            slow + "turn the cutting direction, or cut it in parts, each with a narrower block of its own");
+  uneven.tried = true;
+  EXPECT_EQ(said(uneven, kOne), slow +
+                                    "neither a split across the blade nor other planes were found that keep "
+                                    "it at 30 % and bring no other warning");
+  uneven.parts = {{0, 170, 0.372}, {170, 320.4, 0.41}, {320.4, 600, 0.55}};
+  EXPECT_EQ(said(uneven, kOne),
+            slow +
+                "split across the blade at 170 and 320.4 mm along the block's x it is 37, 41 and 55 % in "
+                "the parts");
+  uneven.planes = {false, {0, 1, 0}, 0.996};
+  EXPECT_TRUE(said(uneven, kOne)
+                  .ends_with("% in the parts; in parallel planes, travelling along (0, 1, 0), it is 100 %"));
+  uneven.planes->turning = true;
+  uneven.parts.clear();
+  EXPECT_EQ(said(uneven, kOne), slow + "in planes that turn with the key blades it is 100 %");
   EXPECT_NE(said(Overbent{200, 360}, kOne, {OtherLength{700}}).find("; try one of 700 mm"),
             std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {BendingBlade{198, "rod", "Rod", 150}})

@@ -22,10 +22,10 @@ Aspects differenceOf(const pipeline::CutEvaluation& a, const pipeline::CutEvalua
                                       a.analysis.value != b.analysis.value ||
                                       a.coverage.value != b.coverage.value ||
                                       a.between.value != b.between.value || a.rest.value != b.rest.value);
-  changed.setFlag(Aspect::thoughts, a.run.value != b.run.value || a.simulated.value != b.simulated.value ||
-                                        a.barriers.value != b.barriers.value ||
-                                        a.lengths.value != b.lengths.value ||
-                                        a.margins.value != b.margins.value);
+  changed.setFlag(Aspect::thoughts,
+                  a.run.value != b.run.value || a.simulated.value != b.simulated.value ||
+                      a.barriers.value != b.barriers.value || a.lengths.value != b.lengths.value ||
+                      a.margins.value != b.margins.value || a.speeds.value != b.speeds.value);
   return changed;
 }
 

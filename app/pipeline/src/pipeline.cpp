@@ -13,6 +13,7 @@
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/pipeline/lower_block.h"
+#include "bw/pipeline/speed_remedies.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cell_ways.h"
@@ -304,6 +305,23 @@ Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunC
   return ok;
 }
 
+/// What helps the cut whose blade has the most uneven speeds, where one has.
+Result<void> seekSpeeds(Evaluation& e, const Evaluation* previous, double& seconds,
+                        const RunContext& context) {
+  const CutEvaluation* worst = mostUnevenCut(e);
+  if (!worst || worst->speeds.value) return {};
+  for (BlockEvaluation& block : e.blocks)
+    for (CutEvaluation& cut : block.cuts) {
+      if (&cut != worst) continue;
+      const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
+      context.report(0.98, "speeds");
+      return settle(cut.speeds, before ? &before->speeds : nullptr, e.design,
+                    {cut.sweep.value, cut.check.value}, seconds,
+                    [&](const Design&, Findings&) { return speedRemedies(e, cut, context); });
+    }
+  return {};
+}
+
 template <class Request, class T>
 void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
   if (!stage.value) stage = from;
@@ -391,6 +409,7 @@ Findings Evaluation::findings() const {
       adviseClearance(own, cut);
       adviseMargin(own, cut);
       adviseLowerBlock(own, cut, design);
+      adviseSpeeds(own, cut);
       append(own, lengthFindings(cut, blade));
       for (Finding& finding : own) {
         if (blocks.size() > 1) finding.where.block = block.id;
@@ -453,6 +472,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.rest, from->rest);
       takeMissing(cut.motion, from->motion);
       takeMissing(cut.lower, from->lower);
+      takeMissing(cut.speeds, from->speeds);
       takeMissing(cut.lengths, from->lengths);
       takeMissing(cut.margins, from->margins);
       takeMissing(cut.clearances, from->clearances);
@@ -518,6 +538,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     for (CutEvaluation& cut : block.cuts)
       if (ok = meshTarget(cut, previous ? previous->find(cut.id) : nullptr, e.seconds.read); !ok)
         return stop(ok.error());
+  if (purpose == Purpose::files)
+    if (ok = seekSpeeds(e, previous, e.seconds.check, context); !ok) return stop(ok.error());
   context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;
@@ -565,6 +587,8 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
             });
         return looked.has_value();
       }
+      if (&stages == mostUnevenCut(e) && !stages.speeds.value)
+        return seekSpeeds(e, nullptr, none, context).has_value();
       const BladeLengths* lengths = stages.lengths.value.get();
       if (!lengths || (lengths->best && !lengths->designed && lengthFails(stages)))
         return seekLengths(work, none).has_value();

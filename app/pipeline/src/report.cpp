@@ -22,6 +22,25 @@ double plain(double x) { return x == 0 ? 0.0 : x; }
 
 ordered_json vec(const Eigen::Vector3d& v) { return {plain(v.x()), plain(v.y()), plain(v.z())}; }
 
+/// How uneven the speeds of a blade are, and what was found to help.
+ordered_json speedJson(const UnevenSpeed& cause) {
+  ordered_json item = {{"speed_ratio", cause.ratio}};
+  if (!cause.tried) return item;
+  item["split"] = nullptr;
+  item["planes"] = nullptr;
+  if (!cause.parts.empty()) {
+    ordered_json parts = ordered_json::array();
+    for (const UnevenSpeed::Part& part : cause.parts)
+      parts.push_back({{"from_mm", part.from}, {"to_mm", part.to}, {"speed_ratio", part.ratio}});
+    item["split"] = {{"along", std::string(1, "xyz"[cause.edge])}, {"parts", parts}};
+  }
+  if (cause.planes)
+    item["planes"] = {{"family", cause.planes->turning ? "turning" : "parallel"},
+                      {"direction", vec(cause.planes->direction)},
+                      {"speed_ratio", cause.planes->ratio}};
+  return item;
+}
+
 ordered_json quaternion(const Eigen::Quaterniond& q) {
   return {plain(q.w()), plain(q.x()), plain(q.y()), plain(q.z())};
 }
@@ -377,6 +396,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
     if (!finding.where.cut.empty()) item["cut"] = finding.where.cut;
     if (finding.where.stations) item["station"] = finding.where.stations->worst;
     if (finding.where.point) item["point"] = vec(*finding.where.point);
+    if (const auto* uneven = std::get_if<UnevenSpeed>(&finding.cause)) item.update(speedJson(*uneven));
     report["issues"].push_back(item);
   }
   report["files"] = ordered_json::array({"report.json"});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
+#include "bw/core/blade/cutting_limits.h"
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/text/number_text.h"
 #include "sentences.h"
@@ -260,9 +261,44 @@ std::string Sentences::operator()(const SteepAngle& cause) const {
          "° this blade drags instead of cutting; turn the cutting direction";
 }
 
+static std::string percent(double ratio) { return fixedText(100 * ratio, 0); }
+
+/// "split across the blade at 170 and 320 mm along the block's x it is 37, 41 and 52 % in the parts".
+static std::string splitText(const UnevenSpeed& cause) {
+  const auto list = [&](std::size_t from, auto text) {
+    std::string all;
+    for (std::size_t i = from; i < cause.parts.size(); ++i)
+      all += (i == from ? "" : i + 1 == cause.parts.size() ? " and " : ", ") + text(cause.parts[i]);
+    return all;
+  };
+  return "split across the blade at " +
+         list(1, [](const UnevenSpeed::Part& part) { return shortText(part.from, 4); }) +
+         " mm along the block's " + "xyz"[cause.edge] + " it is " +
+         list(0, [](const UnevenSpeed::Part& part) { return percent(part.ratio); }) + " % in the parts";
+}
+
+static std::string otherPlanesText(const UnevenSpeed::Planes& planes) {
+  std::string text = "in planes that turn with the key blades";
+  if (!planes.turning) {
+    text = "in parallel planes, travelling along (";
+    for (int axis = 0; axis < 3; ++axis)
+      text += (axis > 0 ? ", " : "") +
+              shortText(std::abs(planes.direction[axis]) < 5e-4 ? 0 : planes.direction[axis], 3);
+    text += "),";
+  }
+  return text + " it is " + percent(planes.ratio) + " %";
+}
+
 std::string Sentences::operator()(const UnevenSpeed& cause) const {
-  return at() + "the slowest point of the blade moves at " + fixedText(100 * cause.ratio, 0) +
-         " % of the fastest, so that it melts a wider kerf there; turn the cutting direction, or " + kInParts;
+  const std::string text = at() + "the slowest point of the blade moves at " + percent(cause.ratio) +
+                           " % of the fastest, so that it melts a wider kerf there; ";
+  if (!cause.tried) return text + "turn the cutting direction, or " + kInParts;
+  if (cause.parts.empty() && !cause.planes)
+    return text + "neither a split across the blade nor other planes were found that keep it at " +
+           percent(kSpeedRatioLimit) + " % and bring no other warning";
+  std::string helps = cause.parts.empty() ? std::string() : splitText(cause);
+  if (cause.planes) helps += (helps.empty() ? "" : "; ") + otherPlanesText(*cause.planes);
+  return text + helps;
 }
 
 std::string Sentences::operator()(const EndsSwing& cause) const {

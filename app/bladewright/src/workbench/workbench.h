@@ -291,6 +291,7 @@ class Workbench : public QObject {
   /// blade where its points are too uneven, and one that reaches lower.
   std::optional<Offer> offerStations(const Finding& finding) const;
   std::optional<Offer> offerSplit(const Finding& finding) const;
+  std::optional<Offer> offerPlanes(const Finding& finding) const;
   std::optional<Offer> offerLowerBlock(const Finding& finding) const;
   /// How the evaluations that are there now differ from those that were told of last.
   Change resultChange();

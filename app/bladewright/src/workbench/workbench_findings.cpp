@@ -8,9 +8,9 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/lower_block.h"
+#include "bw/pipeline/speed_remedies.h"
 #include "workbench/block_layout.h"
 #include "workbench/joint_stations.h"
-#include "workbench/split_block.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -177,8 +177,8 @@ std::vector<Offer> Workbench::offersOf(const Message& message) const {
                           std::visit(Mend{design, cutOf(design)}, remedy);
                         }});
   if (!message.finding) return offers;
-  for (std::optional<Offer> offer :
-       {offerStations(*message.finding), offerSplit(*message.finding), offerLowerBlock(*message.finding)})
+  for (std::optional<Offer> offer : {offerStations(*message.finding), offerSplit(*message.finding),
+                                     offerPlanes(*message.finding), offerLowerBlock(*message.finding)})
     if (offer) offers.push_back(std::move(*offer));
   return offers;
 }
@@ -194,20 +194,31 @@ std::optional<Offer> Workbench::offerStations(const Finding& finding) const {
 }
 
 std::optional<Offer> Workbench::offerSplit(const Finding& finding) const {
+  const UnevenSpeed* uneven = std::get_if<UnevenSpeed>(&finding.cause);
   const auto& newest = runner_.evaluation();
   const pipeline::CutEvaluation* own = newest ? newest->find(cut().id) : nullptr;
-  if (!std::holds_alternative<UnevenSpeed>(finding.cause) || !own || !own->sweep.value || !own->check.value)
-    return {};
-  const std::optional<BlockGrid> before = gridOf(*this);
-  if (!before) return {};
-  const auto split = splitForSpeed(*before, block().id, *own->sweep.value, *own->check.value);
-  if (!split || !withSplit(design(), *before, *split, block().id)) return {};
-  const QString which = before->count() == 1 ? tr("the block") : tr("the blocks in line");
-  return Offer{tr("Split %1 in %2 across the blade").arg(which).arg(partsOf(*before, *split)),
-               [before, split, id = block().id](Design& design) {
-                 if (std::optional<Design> parted = withSplit(design, *before, *split, id))
+  if (!uneven || uneven->parts.empty() || !own || !own->speeds.value || !own->speeds.value->split) return {};
+  const auto& [before, split, parts] = *own->speeds.value->split;
+  // What it was computed for may be another design by now.
+  if (gridOf(*this) != before || !pipeline::withSplit(design(), before, split.grid, block().id)) return {};
+  const QString which = before.count() == 1 ? tr("the block") : tr("the blocks in line");
+  return Offer{tr("Split %1 in %2 across the blade").arg(which).arg(parts.size()),
+               [before, grid = split.grid, id = block().id](Design& design) {
+                 if (std::optional<Design> parted = pipeline::withSplit(design, before, grid, id))
                    design = std::move(*parted);
                }};
+}
+
+std::optional<Offer> Workbench::offerPlanes(const Finding& finding) const {
+  const UnevenSpeed* uneven = std::get_if<UnevenSpeed>(&finding.cause);
+  if (!uneven || !uneven->planes) return {};
+  const Design other = pipeline::withPlanes(design(), cut().id, *uneven->planes);
+  if (other == design()) return {};
+  return Offer{
+      uneven->planes->turning ? tr("Turn the planes with the key blades") : tr("Take parallel planes"),
+      [planes = *uneven->planes, id = cut().id](Design& design) {
+        design = pipeline::withPlanes(design, id, planes);
+      }};
 }
 
 std::optional<Offer> Workbench::offerLowerBlock(const Finding& finding) const {

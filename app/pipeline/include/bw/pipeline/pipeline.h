@@ -29,6 +29,7 @@
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/direction_search.h"
 #include "bw/pipeline/requests.h"
+#include "bw/pipeline/split_block.h"
 
 namespace bw::pipeline {
 
@@ -83,6 +84,18 @@ struct StationView {
 struct LowerWay {
   StationRange stations;  ///< those beside it, -1 for none
   double by = 0;
+};
+
+/// What keeps the slowest point of a blade nearer to its fastest, each computed as a design of its own.
+struct SpeedRemedies {
+  /// Blocks that lie in a grid, in another that splits them across the blade.
+  struct Split {
+    BlockGrid before;
+    BlockSplit split;
+    std::vector<UnevenSpeed::Part> parts;
+  };
+  std::optional<Split> split = std::nullopt;
+  std::optional<UnevenSpeed::Planes> planes = std::nullopt;
 };
 
 /// What a cut came to, once all of its stages are done: views of their results.
@@ -140,6 +153,8 @@ struct CutEvaluation {
   Stage<CheckRequest, RowRest> rest;               ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
   Stage<NoRequest, std::vector<LowerWay>> lower;  ///< only where a way comes below the floor
+  /// Only of the cut whose blade has the most uneven speeds: for files, and from `addSecondThought`.
+  Stage<Design, SpeedRemedies> speeds;
   Stage<Kerf, SweptSurface> swept;                ///< only where its block has several cuts
   Stage<NoRequest, Simulation> run;               ///< the motion run; for files, and from `addSecondThought`
   Stage<WayRequest, SimulatedSurface> simulated;  ///< what that cuts; likewise
@@ -242,9 +257,9 @@ Result<Stage<SourceRequest, CadSource>> readFirstSource(const Design& design, co
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, what it cuts, the barriers along it, then what is left of its block, the lengths of blade that would
-/// serve, the clearances where none does, and the margins. False if nothing is left to be added, or it was
-/// stopped.
+/// run, what it cuts, the barriers along it, then what is left of its block, what helps against uneven
+/// speeds, the lengths of blade that would serve, the clearances where none does, and the margins. False if
+/// nothing is left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds what is left of blocks with several cuts, where it is not there yet. Error: `cancelled`.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -165,7 +166,25 @@ struct SteepAngle {
 };
 struct UnevenSpeed {
   static constexpr FindingKind kind = FindingKind::speed;
+  /// A part of the block that is split across the blade: where it lies along that edge of the block (mm from
+  /// its corner), and the ratio there.
+  struct Part {
+    double from = 0, to = 0, ratio = 1;
+    bool operator==(const Part&) const = default;
+  };
+  /// Planes of another family, and the ratio that blades in them have.
+  struct Planes {
+    bool turning = false;                                 ///< as the key blades tell, or parallel
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the travel
+    double ratio = 1;
+    bool operator==(const Planes&) const = default;
+  };
   double ratio = 1;  ///< slowest over fastest point
+  /// Whether what follows was sought; what is told was computed as a design of its own, and keeps the limit.
+  bool tried = false;
+  std::size_t edge = 0;                         ///< of the block that is split: 0 for its x, 1 y, 2 z
+  std::vector<Part> parts = {};                 ///< none where no split was found that helps
+  std::optional<Planes> planes = std::nullopt;  ///< likewise
 };
 /// An end of the blade turns much from the first station of the range to the second.
 struct EndsSwing {
