@@ -241,12 +241,17 @@ TEST(Workshop, CurvesHaveTheirNamesInDxfAndStep) {
   Design design = example("three-block-wall", 9);
   for (Cut& cut : design.cuts)
     if (cut.id == "cut-column-2") cut.id = "übergang";
+  for (Cut& cut : design.cuts)
+    if (cut.id == "cut-column-3") cut.id = "%%u^M\\U+0041 \U0001D11E 5%";
   design.grid.reset();
   const Product product = made(design);
   const std::string dxf = file(product, "curves.dxf"), step = file(product, "curves.step");
   const auto texts = textsOf(dxf);
   EXPECT_EQ(texts.at("seam-names"),
-            (std::vector<std::string>{"cut-column-1 | \\U+00FCbergang", "\\U+00FCbergang | cut-column-3"}));
+            (std::vector<std::string>{"cut-column-1 | \\U+00FCbergang",
+                                      "\\U+00FCbergang | \\U+0025%u\\U+005EM\\U+005CU+0041 "
+                                      "\\U+D834\\U+DD1E 5%"}))
+      << "no underlines, no control characters, no letters by what looks like their number";
   EXPECT_EQ(texts.at("outline-names").size(), 8u);
   EXPECT_EQ(texts.at("outline-names").front(), "cut-column-1 start");
   EXPECT_EQ(dxf.find("\u00fc"), std::string::npos) << "ASCII alone";

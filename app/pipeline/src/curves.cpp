@@ -46,9 +46,14 @@ Sides sidesOf(const SurfaceGrid& grid) {
 constexpr const char* kNames = "-names";  // after the layer whose curves they are of
 constexpr double kLetters = 12;           // mm, the height of names
 
-/// A text as DXF of any release has it: other letters than those of ASCII by their number.
+/// A text as DXF of any release has it: by their numbers letters other than those of ASCII and what programs
+/// would take for a sign: `%%`, `^` and `\`.
 std::string dxfWords(const std::string& utf8) {
   std::string text;
+  const auto number = [&](std::uint32_t unit) {
+    text += "\\U+";
+    for (int shift = 12; shift >= 0; shift -= 4) text += "0123456789ABCDEF"[(unit >> shift) & 15];
+  };
   for (std::size_t i = 0; i < utf8.size();) {
     const auto first = static_cast<unsigned char>(utf8[i]);
     const std::size_t size = first < 0x80 ? 1 : (first >> 5) == 6 ? 2 : (first >> 4) == 14 ? 3 : 4;
@@ -58,13 +63,15 @@ std::string dxfWords(const std::string& utf8) {
     i += size;
     if (letter < 0x20 || letter == 0x7f) {
       text += ' ';
+    } else if (letter == '^' || letter == '\\' || (letter == '%' && utf8.substr(i, 1) == "%")) {
+      number(letter);
     } else if (letter < 0x7f) {
       text += char(letter);
-    } else if (letter > 0xffff) {
-      text += '?';  // it has four digits
+    } else if (letter > 0xffff) {  // a number has four digits
+      number(0xd800 + ((letter - 0x10000) >> 10));
+      number(0xdc00 + ((letter - 0x10000) & 0x3ff));
     } else {
-      text += "\\U+";
-      for (int shift = 12; shift >= 0; shift -= 4) text += "0123456789ABCDEF"[(letter >> shift) & 15];
+      number(letter);
     }
   }
   return text;

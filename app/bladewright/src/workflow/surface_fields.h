@@ -123,8 +123,8 @@ class SurfaceFields : public QWidget {
   Shows shows_;
   std::optional<int> curve_;
   QVBoxLayout* layout_ = nullptr;  ///< of the lines
-  std::string built_;  ///< what the lines are for
-  ChoiceField* kinds_ = nullptr;  ///< stays; those below are made for each kind
+  std::string built_;              ///< what the lines are for
+  ChoiceField* kinds_ = nullptr;   ///< stays; those below are made for each kind
   ChoiceField* lofts_ = nullptr;
   std::vector<std::pair<std::size_t, ChoiceField*>> sectionKinds_;  ///< by their section
   NumberField *columns_ = nullptr, *rows_ = nullptr;
