@@ -123,7 +123,8 @@ TEST(DesignVariables, ExpressionsStayWhereTheyComeToWhatIsUsual) {
   object["cuts"][0].erase("block");
   const Design wall = designOf(object.dump());
   EXPECT_EQ(json::parse(designToJson(wall))["cuts"][0]["turn_deg"], "=turn");
-  for (const Cut& cut : withVariables(wall, {{"turn", 180}}).value().cuts) EXPECT_EQ(cut.pose.quarters, 2);
+  const Design half = withVariables(wall, {{"turn", 180}}).value();
+  for (const Cut& cut : half.cuts) EXPECT_EQ(cut.pose.quarters, 2);
 }
 
 TEST(DesignVariables, ExpressionsOfCutsUnderAGridStayWithTheirCuts) {
