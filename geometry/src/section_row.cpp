@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 
+#include "bw/core/sweep/oblique_planes.h"
 #include "bw/core/text/number_text.h"
 #include "model_impl.h"
 #include "occt.h"
@@ -32,7 +33,6 @@ constexpr int kLeastBeyond = 24;  // samples of what is added to a section at on
 
 constexpr double kInsetRatio = 1e-4;  // of the range: where the target ends planes keep off its very border
 constexpr double kInset = 0.01;       // mm, at least
-constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the block may lack 1
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
 constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
@@ -42,8 +42,7 @@ constexpr int kBisections = 16;  // halvings of the distance between a plane tha
 
 /// Whether no plane is parallel to a face of the block.
 bool isSlanted(const PlaneFamily& planes, const Box& block) {
-  const Eigen::Vector3d along = block.frame.toLocal(block.frame.origin + planes.direction()).cwiseAbs();
-  return planes.turns() || along.maxCoeff() < 1 - kAlongEdge;
+  return planes.turns() || areOblique(planes, block);
 }
 
 /// The block with all that it may be carried over along the direction of slanted planes.

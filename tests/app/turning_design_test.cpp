@@ -101,10 +101,10 @@ TEST(TurningDesign, AHandThatTurnsAKeyTakesThePlanesWithIt) {
     EXPECT_NEAR((pose.frame.normal - wanted.at(wanted.level(pose.bladePoints(3)[1])).normal).norm(), 0, 1e-6);
 }
 
-TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
+/// A wall of three blocks whose blades lie at the faces and are turned between them.
+Design turningWall() {
   Design design = exampleDesign("block-wall").value();
   design.output.programs.clear();
-  // As the faces of the blocks lie at these, and turned between them.
   BladesSurface shape;
   for (const double y : {0.0, 400.0, 800.0})
     shape.blades.push_back({y, {900, 250}, 0, 2000, -0.3, {0, 0}, y == 400 ? fromDegrees(3) : 0});
@@ -113,6 +113,11 @@ TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
     cut.direction.reset();
     cut.sections.stations = 17;
   }
+  return design;
+}
+
+TEST(TurningDesign, AllBlocksOfAWallHaveItsPlanesAndMeet) {
+  const Design design = turningWall();
   const Evaluation e = evaluate(design, nullptr, {}).evaluation;
   ASSERT_EQ(e.blocks.size(), 3u);
   for (const BlockEvaluation& block : e.blocks) {
@@ -387,16 +392,7 @@ TEST(TurningDesign, KeyBladesOfATurnedOverBlockAndOfASurfaceOutOfTheAxesLieWhere
 }
 
 TEST(TurningDesign, KeyBladesOfTheBlocksOfAWallMeet) {
-  Design design = exampleDesign("block-wall").value();
-  design.output.programs.clear();
-  BladesSurface shape;
-  for (const double y : {0.0, 400.0, 800.0})
-    shape.blades.push_back({y, {900, 250}, 0, 2000, -0.3, {0, 0}, y == 400 ? fromDegrees(3) : 0});
-  design.source().surface = DesignedSurface{shape};
-  for (Cut& cut : design.cuts) {
-    cut.direction.reset();
-    cut.sections.stations = 17;
-  }
+  const Design design = turningWall();
   Evaluation e = evaluate(design, nullptr, {}).evaluation;
   ASSERT_EQ(e.blocks.size(), 3u);
   for (const BlockEvaluation& block : std::vector<BlockEvaluation>(e.blocks)) {

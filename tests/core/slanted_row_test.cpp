@@ -154,5 +154,18 @@ TEST(SlantedRow, AShortBladeGoesWithItsSections) {
       EXPECT_GT(test::outside(row.sweep.block, grip), row.sweep.request.clearance - 1) << pose.index;
 }
 
+TEST(SlantedRow, ABladeThatLeavesTheBlockIsOffWhatLiesInIt) {
+  // It rises to 250 mm, the block and its target to less: at the right nothing of the blade is in the block.
+  const auto sectionHeight = [](double x, double) { return 200 + x / 12; };
+  const HeightOver target = [&](double x, double y) {
+    return sectionHeight(x, y) - 5 * std::pow(std::clamp(x / kSlantedWide, 0.0, 1.0), 2);
+  };
+  SlantedRow row(200, 0, sectionHeight);
+  row.block.size.z() = 246;
+  const SlantedRun run = slantedRun(row, slantedSettings(1000), target);
+  EXPECT_GT(run.analysis.summary.deviationMax, 4.8);
+  EXPECT_GT(run.way.deviationMax, 4.8);
+}
+
 }  // namespace
 }  // namespace bw

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/shape/blade_ends.h"
 #include "bw/core/shape/key_blades.h"
 #include "bw/core/shape/turned_blades.h"
 #include "bw/core/shape/turning_planes.h"
@@ -109,17 +110,6 @@ Result<std::vector<FramedCurve>> bladesOf(const CutEvaluation& cut) {
   return curves;
 }
 
-/// A blade so far beyond another that numbers go on evenly.
-KeyBlade beyond(const KeyBlade& blade, const KeyBlade& change, double way) {
-  return {blade.y + way,
-          blade.middle + way * change.middle,
-          blade.angle + way * change.angle,
-          blade.length + way * change.length,
-          blade.bend + way * change.bend,
-          blade.force + way * change.force,
-          blade.turn + way * change.turn};
-}
-
 /// Sections stand a little inside of the faces of the block; the surface reaches them where it did. `before`
 /// and `after` are how far the first and the last blade stand from them.
 void reach(std::vector<KeyBlade>& blades, double before, double after) {
@@ -127,8 +117,8 @@ void reach(std::vector<KeyBlade>& blades, double before, double after) {
   const Result<BladeSweep> sweep = BladeSweep::through(blades);
   if (!sweep) return;
   KeyBlade &first = blades.front(), &last = blades.back();
-  if (before > 0 && before < kMost) first = beyond(first, sweep->changeAt(sweep->from()), -before);
-  if (after > 0 && after < kMost) last = beyond(last, sweep->changeAt(sweep->to()), after);
+  if (before > 0 && before < kMost) first = bladeBeyond(first, sweep->changeAt(sweep->from()), -before);
+  if (after > 0 && after < kMost) last = bladeBeyond(last, sweep->changeAt(sweep->to()), after);
 }
 
 /// How far blades in planes that turn go on, where the row ends so far inside of the block: to the plane that

@@ -48,4 +48,14 @@ Result<KeyBlade> withEndHeights(const KeyBlade& blade, const EndHeights& heights
   return turned;
 }
 
+KeyBlade bladeBeyond(const KeyBlade& blade, const KeyBlade& change, double way) {
+  return {blade.y + way,
+          blade.middle + way * change.middle,
+          blade.angle + way * change.angle,
+          blade.length + way * change.length,
+          blade.bend + way * change.bend,
+          blade.force + way * change.force,
+          blade.turn + way * change.turn};
+}
+
 }  // namespace bw

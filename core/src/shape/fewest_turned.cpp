@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/shape/blade_ends.h"
 #include "bw/core/shape/turned_blades.h"
 #include "bw/core/shape/turning_planes.h"
 #include "bw/core/text/number_text.h"
@@ -70,17 +71,6 @@ double offBlade(const KeyBlade& blade, const Eigen::Vector3d& place, std::size_t
   return std::hypot((own - state.point).norm(), y * c - x * s);
 }
 
-/// A blade so far beyond another that numbers go on evenly.
-KeyBlade beyond(const KeyBlade& blade, const KeyBlade& change, double way) {
-  return {blade.y + way,
-          blade.middle + way * change.middle,
-          blade.angle + way * change.angle,
-          blade.length + way * change.length,
-          blade.bend + way * change.bend,
-          blade.force + way * change.force,
-          blade.turn + way * change.turn};
-}
-
 struct Found {
   double deviation = 0;
   double y = 0;
@@ -140,8 +130,8 @@ class Follower {
     const Result<BladeSweep> sweep = BladeSweep::through(blades);
     if (!sweep) return tl::unexpected<Error>(sweep.error());
     if (row_.before > 0)
-      blades.front() = beyond(blades.front(), sweep->changeAt(sweep->from()), -row_.before);
-    if (row_.after > 0) blades.back() = beyond(blades.back(), sweep->changeAt(sweep->to()), row_.after);
+      blades.front() = bladeBeyond(blades.front(), sweep->changeAt(sweep->from()), -row_.before);
+    if (row_.after > 0) blades.back() = bladeBeyond(blades.back(), sweep->changeAt(sweep->to()), row_.after);
     return blades;
   }
 

@@ -9,6 +9,7 @@
 
 #include "bw/core/base/frame.h"
 #include "bw/core/base/line_in_box.h"
+#include "bw/core/sweep/oblique_planes.h"
 #include "bw/core/sweep/sweep.h"
 
 namespace bw::sweep {
@@ -19,14 +20,11 @@ class InFoam {
  public:
   explicit InFoam(const Box& block) : block_(block) {}
   explicit InFoam(const Sweep& sweep) : InFoam(sweep.block) {
-    constexpr double kAlongEdge = 1e-12;  // by which the cosine to an edge of the block may lack 1
-    const Eigen::Vector3d& direction = sweep.planes.direction();
-    const Eigen::Vector3d along = block_.frame.toLocal(block_.frame.origin + direction);
-    slanted_ = !sweep.planes.turns() && along.cwiseAbs().maxCoeff() < 1 - kAlongEdge;
+    slanted_ = !sweep.planes.turns() && areOblique(sweep.planes, block_);
     double widest = 0;
     for (std::size_t i = 1; i < sweep.poses.size(); ++i)
       widest = std::max(widest, std::abs(sweep.poses[i].travel - sweep.poses[i - 1].travel));
-    way_ = widest * direction;
+    way_ = widest * sweep.planes.direction();
   }
 
   /// True of parallel planes that meet the block obliquely.

@@ -216,17 +216,18 @@ Error tooShort(const FitRequest& request, const std::string& where, double longe
 
 void compare(const BladePose& pose, const InFoam& foam, StationFit& fit) {
   fit.fit.R4 = Places(fit.target).residual(pose);
-  // Of slanted planes from the first of its places that are in the block to the last, unless it only touches
-  // that.
-  const std::vector<double> arcs = pose.cutArcs(kPlaces);
-  const std::vector<Eigen::Vector3d> places = pose.points(arcs);
-  const auto holds = [&](const Eigen::Vector3d& place) { return !foam.slanted() || foam.holds(place); };
-  const auto first = std::ranges::find_if(places, holds);
-  const auto last = std::find_if(places.rbegin(), places.rend(), holds).base();
-  double from = arcs.front(), to = arcs.back();
-  if (last - first > 1) {
-    from = arcs[std::size_t(first - places.begin())];
-    to = arcs[std::size_t(last - places.begin()) - 1];
+  double from = pose.before, to = pose.before + pose.cut.length();
+  if (foam.slanted()) {
+    // From the first of its places that are in the block to the last, unless it only touches that.
+    const std::vector<double> arcs = pose.cutArcs(kPlaces);
+    const std::vector<Eigen::Vector3d> places = pose.points(arcs);
+    const auto holds = [&](const Eigen::Vector3d& place) { return foam.holds(place); };
+    const auto first = std::ranges::find_if(places, holds);
+    const auto last = std::find_if(places.rbegin(), places.rend(), holds).base();
+    if (last - first > 1) {
+      from = arcs[std::size_t(first - places.begin())];
+      to = arcs[std::size_t(last - places.begin()) - 1];
+    }
   }
   fit.fit.hausdorff = fit::oneSidedHausdorff({to - from,
                                               [&](auto part, auto out) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The ends of key blades, which their middles tell: where they are, and blades that are turned until an end
-// has another height.
+// has another height; and blades beyond the end of a sweep.
 #pragma once
 
 #include <array>
@@ -26,5 +26,9 @@ inline constexpr double kEndMiss = 1e-9;
 /// Errors: those of `elasticaOf`; `badInput` where the ends are nearer to each other than the heights
 /// (`value` is the rise that is asked for, `limit` the distance of the ends).
 Result<KeyBlade> withEndHeights(const KeyBlade& blade, const EndHeights& heights);
+
+/// The key blade `way` mm of travel beyond another, past the end of a sweep: its numbers go on as they change
+/// there (`BladeSweep::changeAt`).
+KeyBlade bladeBeyond(const KeyBlade& blade, const KeyBlade& change, double way);
 
 }  // namespace bw
