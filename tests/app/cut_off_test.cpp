@@ -168,6 +168,11 @@ class PaintedLabels : public QObject {
 TEST_F(NothingIsCutOff, WhileTheFirstResultComes) {
   makeWindow({1920, 1080});
   const PaintedLabels painted;
+  // The display may uncover the window at any moment.
+  QObject::connect(&window().bench(), &Workbench::changed, &window(), [this] {
+    QExposeEvent uncovered(window().rect());
+    QCoreApplication::sendEvent(window().windowHandle(), &uncovered);
+  });
   for (const char* example : {"single-block", "three-block-wall"}) {
     ASSERT_TRUE(window().openExample(example));
     ASSERT_TRUE(settleInFull());

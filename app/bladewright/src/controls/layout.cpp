@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "controls/layout.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QScrollBar>
+#include <QWindow>
 
 #include <algorithm>
 
@@ -100,6 +102,23 @@ QSize SidePanel::sizeHint() const { return {minimumSizeHint().width(), QScrollAr
 bool SidePanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
   return QScrollArea::eventFilter(watched, event);
+}
+
+LaidOutFirst::LaidOutFirst(QWidget* window) : QObject(window) { window->installEventFilter(this); }
+
+bool LaidOutFirst::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Show:
+      if (const auto* window = qobject_cast<QWidget*>(watched))
+        if (QWindow* handle = window->windowHandle()) handle->installEventFilter(this);
+      break;
+    case QEvent::Expose:
+    case QEvent::UpdateRequest:
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+      break;
+    default: break;
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 }  // namespace bw::app

@@ -12,6 +12,7 @@
 #include "bw/core/shape/surface_blades.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/moulds.h"
+#include "controls/layout.h"
 #include "controls/numbers.h"
 #include "window/start_page.h"
 
@@ -79,6 +80,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(start_, &StartPage::measureRequested, commands_["blade.measure"], &QAction::trigger);
   connect(measure_, &MeasurePage::left, this, &MainWindow::leaveMeasurePage);
 
+  new LaidOutFirst(this);
   start_->installEventFilter(this);
   view_->installEventFilter(this);
   connect(banner_, &Banner::told, this, &MainWindow::placeBanner);
