@@ -223,6 +223,12 @@ void addSections(const CadModel& model, FaceInfo& face, const RunContext& contex
 
 }  // namespace
 
+Result<std::shared_ptr<const CadModel::Impl>> modelOf(const TopoDS_Face& face, const std::string& name) {
+  RunContext alone;
+  alone.threads = 1;
+  return build({face, "designed", "mm", {}, {}, {face}, {name}}, name, alone, {});
+}
+
 CadModel::CadModel(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 Result<CadModel> CadModel::read(const std::filesystem::path& file, const RunContext& context,
@@ -247,11 +253,7 @@ Result<CadModel> CadModel::of(const SplineSurface& surface, const std::string& n
   silenceOcct();
   return guarded(ErrorCode::badInput, "no face can be made of " + name, [&]() -> Result<CadModel> {
     if (Result<void> ok = checkSplineSurface(surface); !ok) return tl::unexpected(ok.error());
-    const TopoDS_Face face = faceOf(surface);
-    ReadShape read{face, "designed", "mm", {}, {}, {face}, {name}};
-    RunContext alone;
-    alone.threads = 1;
-    auto impl = build(std::move(read), name, alone, {});
+    auto impl = modelOf(faceOf(surface), name);
     if (!impl) return tl::unexpected(impl.error());
     return CadModel(std::move(*impl));
   });

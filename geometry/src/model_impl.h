@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "bw/geometry/cad_model.h"
@@ -75,6 +77,12 @@ struct Target::Impl {
   /// Smallest and largest value of direction · point.
   std::array<double, 2> extent(const Eigen::Vector3d& direction) const;
 };
+
+/// A model of one face that was never in a file. Throws Standard_Failure where there is none.
+Result<std::shared_ptr<const CadModel::Impl>> modelOf(const TopoDS_Face& face, const std::string& name);
+/// These faces of a model as a target.
+std::shared_ptr<const Target::Impl> targetOf(std::shared_ptr<const CadModel::Impl> model,
+                                             const std::vector<int>& faces);
 
 /// The foot of a point on a face, or on its border.
 struct FaceFoot {

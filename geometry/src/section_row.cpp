@@ -31,13 +31,15 @@ constexpr int kMinSamples = 96;         // of a section, before it is fitted
 constexpr int kMaxSamples = 12000;
 constexpr int kLeastBeyond = 24;  // samples of what is added to a section at one end
 
-constexpr double kInsetRatio = 1e-4;  // of the range: where the target ends planes keep off its very border
-constexpr double kInset = 0.01;       // mm, at least
-constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
-constexpr double kShort = 0.1;        // mm, likewise
-constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
-constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
-constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
+constexpr double kInsetRatio = 1e-4;   // of the range: where the target ends planes keep off its very border
+constexpr double kInset = 0.01;        // mm, at least
+constexpr double kShortRatio = 0.01;   // of the longest section: shorter ones carry no shape
+constexpr double kShort = 0.1;         // mm, likewise
+constexpr double kLengthened = 1.01;   // times that: as long a section at a point is made
+constexpr double kWidenedBy = 2;       // times the way from plane to plane: what a face goes on by, at least,
+constexpr double kMostWidened = 0.25;  // but no more than this part of its size
+constexpr int kProbePlanes = 64;       // tried when no sample of the target lies in the block
+constexpr int kTrisections = 48;       // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
 /// Whether no plane is parallel to a face of the block.
@@ -213,19 +215,25 @@ Result<void> checkSetup(const Setup& setup) {
   return {};
 }
 
-Sectioner::Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes)
-    : target_(target),
+Sectioner::Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes,
+                     std::shared_ptr<const WidenedFace> widened)
+    : widened_(std::move(widened)),
+      target_(widened_ ? widened_->target() : target),
       planes_(planes),
       region_(regionOf(planes, block)),
       window_{block},
       block_{block},
       slanted_(isSlanted(planes, block)) {
-  if (!planes.turns()) parallel_.emplace(target, planes.direction(), region_);
+  if (!planes.turns()) parallel_.emplace(target_, planes.direction(), region_);
 }
 
 void Sectioner::reachBy(double apart) {
   const double all = planes_.exit - planes_.entry;
   if (slanted_) window_.way = (planes_.turns() ? all : std::min(apart, all)) * planes_.direction();
+}
+
+bool Sectioner::holds(const LevelNode& node) const {
+  return window_.holds(node.p) && (!widened_ || widened_->reachedFromFace(node, window_.way));
 }
 
 Sectioner::Cutting Sectioner::at(double level) const {
@@ -297,8 +305,9 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
     const int division = std::max(2, int((kMinSamples + nodes - 1) / nodes));
     bool clipped = false;
-    auto pieces = clipToBlock(cutter, sampleBranch(cutter, branch, own, division), branch.closed, own,
-                              window_, clipped);
+    auto pieces = geometry::clipped(
+        cutter, sampleBranch(cutter, branch, own, division), branch.closed, own,
+        [this](const LevelNode& node) { return holds(node); }, clipped);
     for (auto& piece : pieces) {
       const double length = lengthOf(piece);
       if (length < kSpeck) {
@@ -412,7 +421,7 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     if (last) std::ranges::reverse(samples);
     const bool up = xOf(samples.front().node) > xOf(samples.back().node);
     const auto left = [&](const LevelNode& node) { return up ? high - xOf(node) : xOf(node) - low; };
-    const auto within = [&](const LevelNode& node) { return left(node) >= 0 && window_.holds(node.p); };
+    const auto within = [&](const LevelNode& node) { return left(node) >= 0 && holds(node); };
     const auto at = [&](const SectionSample& a, const SectionSample& b, double part) {
       SectionSample sample = b;
       if (!cutting.cutter->between(b.face, a.node, b.node, part, cutting.level, sample.node)) sample = a;
@@ -506,8 +515,8 @@ Findings gathered(const Findings& each) {
   return result;
 }
 
-Result<void> SectionRow::place(const Target& target) {
-  const auto range = rangeOf(target.impl(), planes_, sectioner_);
+Result<void> SectionRow::place() {
+  const auto range = rangeOf(target_, planes_, *sectioner_);
   if (!range) return tl::unexpected(range.error());
   first_ = (*range)[0];
   last_ = (*range)[1];
@@ -516,7 +525,14 @@ Result<void> SectionRow::place(const Target& target) {
 
 void SectionRow::divide(int count, int fewest) {
   count_ = count;
-  sectioner_.reachBy((last_ - first_) / (fewest - 1));
+  const double apart = (last_ - first_) / (fewest - 1);
+  if (apart != apart_ && sectioner_->slanted() && !planes_.turns()) {
+    const double most = kMostWidened * target_.bounds.size().norm();
+    auto widened = WidenedFace::of(target_, std::min(kWidenedBy * apart, most));
+    sectioner_.emplace(target_, block_, planes_, std::move(widened));
+  }
+  apart_ = apart;
+  sectioner_->reachBy(apart);
 }
 
 Result<void> SectionRow::divide(const SectionRequest& request) {
@@ -555,11 +571,11 @@ void SectionRow::fillSteps(std::vector<SectionOutcome>& outcomes) const {
   const std::vector<double> low = withoutSteps(lows), high = withoutSteps(highs);
   for (std::size_t i = 0; i < followed.size(); ++i)
     if (!followed[i]->samples.empty() && (low[i] > lows[i].out || high[i] > highs[i].out))
-      sectioner_.extend(*followed[i], -low[i], high[i]);
+      sectioner_->extend(*followed[i], -low[i], high[i]);
 }
 
 void SectionRow::fillPoints(std::vector<SectionOutcome>& outcomes, double shortest) const {
-  const double wide = kWidened * shortest;
+  const double wide = kLengthened * shortest;
   for (SectionOutcome& outcome : outcomes) {
     if (!outcome.followed() || outcome.length >= shortest || outcome.samples.empty()) continue;
     const PlanarCurve& curve = outcome.section->curve();
@@ -569,7 +585,7 @@ void SectionRow::fillPoints(std::vector<SectionOutcome>& outcomes, double shorte
     for (const auto& [low, high] : {std::pair(middle - 0.5 * wide, middle + 0.5 * wide),
                                     {std::min(a, b) - wide, std::max(a, b) + wide}}) {
       SectionOutcome extended = outcome;
-      sectioner_.extend(extended, low, high);
+      sectioner_->extend(extended, low, high);
       if (extended.length < shortest) continue;
       outcome = std::move(extended);
       break;

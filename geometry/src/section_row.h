@@ -15,6 +15,7 @@
 #include "bw/geometry/sections.h"
 #include "level_curves.h"
 #include "section_samples.h"
+#include "widened.h"
 
 namespace bw::geometry {
 
@@ -42,7 +43,9 @@ Box grown(Box box, double by);
 /// `target` and `planes`. Cuts from several threads are safe.
 class Sectioner {
  public:
-  Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes);
+  /// With `widened`, that of the target, sections go on over it beside the target's own borders.
+  Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes,
+            std::shared_ptr<const WidenedFace> widened = nullptr);
 
   /// True where planes leave the block across its corners, so that what lies at one between two planes is in
   /// the section of neither.
@@ -81,7 +84,10 @@ class Sectioner {
     double level;
   };
   Cutting at(double level) const;
+  /// Whether a section may come to a place.
+  bool holds(const LevelNode& node) const;
 
+  std::shared_ptr<const WidenedFace> widened_;
   const Target::Impl& target_;
   const PlaneFamily& planes_;
   Box region_;                           ///< where sections may go
@@ -95,12 +101,15 @@ class Sectioner {
 /// number.
 class SectionRow {
  public:
+  /// Keeps a reference to `target`.
   SectionRow(const Target& target, const Setup& setup)
-      : planes_(setup.planes), sectioner_(target.impl(), setup.block, planes_) {}
-  SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
+      : target_(target.impl()), block_(setup.block), planes_(setup.planes) {
+    sectioner_.emplace(target_, block_, planes_);
+  }
+  SectionRow(const SectionRow&) = delete;  // the sectioner keeps references
 
   /// Finds where the row begins and ends: at first, and once.
-  Result<void> place(const Target& target);
+  Result<void> place();
   /// How many planes it has, 2 or more, of its own or by a request that is not left to the tolerance.
   /// Their sections serve rows of `fewest` of them, too.
   void divide(int count, int fewest);
@@ -108,8 +117,8 @@ class SectionRow {
 
   int count() const { return count_; }
   double level(int i) const { return i + 1 == count_ ? last_ : first_ + (last_ - first_) * i / (count_ - 1); }
-  bool grazes(int i) const { return sectioner_.grazes(level(i)); }
-  SectionOutcome cut(int i, bool byKernel) const { return sectioner_.cut(level(i), i, byKernel); }
+  bool grazes(int i) const { return sectioner_->grazes(level(i)); }
+  SectionOutcome cut(int i, bool byKernel) const { return sectioner_->cut(level(i), i, byKernel); }
 
   Result<std::vector<SectionOutcome>> cutAll(bool byKernel, const RunContext& context) const {
     std::vector<SectionOutcome> outcomes(std::size_t(count()), SectionOutcome{});
@@ -130,9 +139,12 @@ class SectionRow {
   /// as far as their surface leads.
   void fillPoints(std::vector<SectionOutcome>& outcomes, double shortest) const;
 
+  const Target::Impl& target_;
+  Box block_;
   PlaneFamily planes_;
-  Sectioner sectioner_;
+  std::optional<Sectioner> sectioner_;
   double first_ = 0, last_ = 0;  ///< levels
+  double apart_ = 0;             ///< planes, at most
   int count_ = 0;
 };
 

@@ -112,12 +112,13 @@ std::vector<SectionSample> sampleBranch(const PlaneCutter& cutter, const Section
   return samples;
 }
 
-std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
-                                                    std::vector<SectionSample> samples, bool closed,
-                                                    double level, const BlockWindow& window, bool& cut) {
+std::vector<std::vector<SectionSample>> clipped(const PlaneCutter& cutter, std::vector<SectionSample> samples,
+                                                bool closed, double level,
+                                                const std::function<bool(const LevelNode&)>& holds,
+                                                bool& cut) {
   std::vector<char> held;
   held.reserve(samples.size());
-  for (const SectionSample& s : samples) held.push_back(window.holds(s.node.p));
+  for (const SectionSample& s : samples) held.push_back(holds(s.node));
   cut = std::ranges::find(held, 0) != held.end();
   if (!cut) return {std::move(samples)};
   if (closed) {  // begin outside, so that no part is broken at the arbitrary start
@@ -142,7 +143,7 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
       const double m = 0.5 * (a + b);
       LevelNode node;
       if (!cutter.between(in.face, in.node, out.node, m, level, node)) break;
-      if (window.holds(node.p)) {
+      if (holds(node)) {
         a = m;
         best.node = node;
       } else {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -72,11 +73,13 @@ struct BlockWindow {
 std::vector<SectionSample> sampleBranch(const PlaneCutter& cutter, const SectionBranch& branch, double level,
                                         int parts);
 
-/// Cuts the samples to the block; each part is open. `closed`: the last sample is the first again. `cut`
-/// tells whether any sample lay outside; if none did, the samples come back as they were.
-std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
-                                                    std::vector<SectionSample> samples, bool closed,
-                                                    double level, const BlockWindow& window, bool& cut);
+/// Cuts the samples to where a section may go, which `holds` tells of a place; each part is open. `closed`:
+/// the last sample is the first again. `cut` tells whether any sample lay outside; if none did, the samples
+/// come back as they were.
+std::vector<std::vector<SectionSample>> clipped(const PlaneCutter& cutter, std::vector<SectionSample> samples,
+                                                bool closed, double level,
+                                                const std::function<bool(const LevelNode&)>& holds,
+                                                bool& cut);
 
 /// Samples between the samples: `division` intervals for each.
 std::vector<SectionSample> refined(const PlaneCutter& cutter, const std::vector<SectionSample>& samples,

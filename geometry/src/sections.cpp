@@ -93,7 +93,7 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& setu
                  [&]() -> Result<std::vector<Section>> {
                    context.report(0.0, "sections");
                    SectionRow row(target, setup);
-                   if (auto ok = row.place(target); !ok) return tl::unexpected(ok.error());
+                   if (auto ok = row.place(); !ok) return tl::unexpected(ok.error());
                    if (auto ok = row.divide(request); !ok) return tl::unexpected(ok.error());
                    auto outcomes = row.cutAll(request.route == SectionRoute::kernel, context);
                    if (!outcomes) return tl::unexpected(outcomes.error());
@@ -147,7 +147,7 @@ Result<std::optional<std::vector<Section>>> confirmSections(const Target& target
   if (auto ok = checkInput(setup, request); !ok) return tl::unexpected(ok.error());
   return guarded(ErrorCode::internal, "the sections cannot be confirmed", [&]() -> Result<Anew> {
     SectionRow row(target, setup);
-    if (auto ok = row.place(target); !ok) return tl::unexpected(ok.error());
+    if (auto ok = row.place(); !ok) return tl::unexpected(ok.error());
     if (auto ok = row.divide(request); !ok) return tl::unexpected(ok.error());
     struct Look {
       int station = 0;

@@ -128,7 +128,7 @@ Result<StationCount> stationsFor(const Target& target, const Setup& setup, doubl
       ErrorCode::internal, "the number of stations cannot be found", [&]() -> Result<StationCount> {
         if (auto ok = checkSetup(setup); !ok) return tl::unexpected(ok.error());
         SectionRow row(target, setup);
-        if (auto ok = row.place(target); !ok) return tl::unexpected(ok.error());
+        if (auto ok = row.place(); !ok) return tl::unexpected(ok.error());
         const double across = std::max(kLeastShare, kShare * tolerance),
                      beyond = std::max(kLeastEnd, kEndShare * tolerance);
         StationCount count;

@@ -264,42 +264,46 @@ std::vector<std::vector<Neighbour>> neighboursOf(const Target::Impl& target) {
 
 }  // namespace
 
+std::shared_ptr<const Target::Impl> targetOf(std::shared_ptr<const CadModel::Impl> model,
+                                             const std::vector<int>& faces) {
+  auto impl = std::make_shared<Target::Impl>();
+  // The model outlives its targets through this shared handle.
+  impl->model = std::move(model);
+  impl->indices = faces;
+  impl->edgeUses.assign(impl->model->edges.size(), 0);
+  impl->sheet = true;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int i : faces) {
+    const auto& face = impl->model->faces[i];
+    impl->faces.push_back(face);
+    impl->area += face->area();
+    const Bounds& bounds = impl->model->info.faceList[i].bounds;
+    impl->bounds.add(bounds.min);
+    impl->bounds.add(bounds.max);
+    sum += normalSum(*face);
+    if (impl->model->inSolid[i]) impl->sheet = false;
+    for (const TrimEdge& trim : face->trims()) {
+      if (trim.edge >= 0) ++impl->edgeUses[trim.edge];
+    }
+  }
+  impl->neighbours = neighboursOf(*impl);
+  impl->carriers = carriersOf(*impl);
+  impl->meanNormal = impl->area > 0 ? Eigen::Vector3d(sum / impl->area) : Eigen::Vector3d::Zero();
+  if (impl->sheet) {
+    // A sheet has no inside: it is seen from above, or else from the positive side of y or x.
+    const Eigen::Vector3d& m = impl->meanNormal;
+    const int axis = std::abs(m.z()) > kUpright ? 2 : std::abs(m.y()) > kUpright ? 1 : 0;
+    impl->flipped = m[axis] < 0;
+    if (impl->flipped) impl->meanNormal = -impl->meanNormal;
+  }
+  return impl;
+}
+
 Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Findings* findings) {
   auto chosen = model.choose(choice, findings);
   if (!chosen) return tl::unexpected(chosen.error());
-  return guarded(ErrorCode::internal, "cannot prepare the faces", [&]() -> Result<Target> {
-    auto impl = std::make_shared<Impl>();
-    // The model outlives its targets through this shared handle.
-    impl->model = model.shared();
-    impl->indices = *chosen;
-    impl->edgeUses.assign(impl->model->edges.size(), 0);
-    impl->sheet = true;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int i : *chosen) {
-      const auto& face = impl->model->faces[i];
-      impl->faces.push_back(face);
-      impl->area += face->area();
-      const Bounds& bounds = impl->model->info.faceList[i].bounds;
-      impl->bounds.add(bounds.min);
-      impl->bounds.add(bounds.max);
-      sum += normalSum(*face);
-      if (impl->model->inSolid[i]) impl->sheet = false;
-      for (const TrimEdge& trim : face->trims()) {
-        if (trim.edge >= 0) ++impl->edgeUses[trim.edge];
-      }
-    }
-    impl->neighbours = neighboursOf(*impl);
-    impl->carriers = carriersOf(*impl);
-    impl->meanNormal = impl->area > 0 ? Eigen::Vector3d(sum / impl->area) : Eigen::Vector3d::Zero();
-    if (impl->sheet) {
-      // A sheet has no inside: it is seen from above, or else from the positive side of y or x.
-      const Eigen::Vector3d& m = impl->meanNormal;
-      const int axis = std::abs(m.z()) > kUpright ? 2 : std::abs(m.y()) > kUpright ? 1 : 0;
-      impl->flipped = m[axis] < 0;
-      if (impl->flipped) impl->meanNormal = -impl->meanNormal;
-    }
-    return Target(impl);
-  });
+  return guarded(ErrorCode::internal, "cannot prepare the faces",
+                 [&]() -> Result<Target> { return Target(targetOf(model.shared(), *chosen)); });
 }
 
 Bounds Target::bounds() const { return impl_->bounds; }

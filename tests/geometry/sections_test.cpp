@@ -19,16 +19,40 @@ bool hasFinding(const Findings& findings, FindingKind kind, int station) {
   });
 }
 
-/// Largest distance of the sections from the target.
-double deviation(const Target& target, const std::vector<Section>& sections) {
+/// Largest distance of the sections from the target; of what goes on beyond its borders too, unless
+/// `between`.
+double deviation(const Target& target, const std::vector<Section>& sections, bool between = false) {
   const auto sampler = target.sampler();
   double worst = 0;
   for (const Section& s : sections) {
     for (const Eigen::Vector2d& q : s.curve().sample(301)) {
-      worst = std::max(worst, sampler->closest(s.frame.toWorld(q), nullptr)->distance);
+      const auto foot = sampler->closest(s.frame.toWorld(q), nullptr);
+      if (!between || !foot->onBoundary) worst = std::max(worst, foot->distance);
     }
   }
   return worst;
+}
+
+/// What lies between two planes of a row in the block, x and y from `low` to `high`, is to lie between the
+/// ends of their sections, which are not to go on farther beside it than the planes are `apart`.
+void expectBetweenEnds(const std::vector<Section>& sections, const Eigen::Vector2d& low,
+                       const Eigen::Vector2d& high, double apart) {
+  const auto inside = [&](const Eigen::Vector3d& p) {
+    return std::min((p.head<2>() - low).minCoeff(), (high - p.head<2>()).minCoeff());
+  };
+  const auto ends = [](const Section& s) {
+    return std::array{s.frame.toWorld(s.curve().value(s.curve().start())),
+                      s.frame.toWorld(s.curve().value(s.curve().end()))};
+  };
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    ASSERT_EQ(sections[i].chosen, 0) << i;
+    if (i == 0) continue;
+    const auto a = ends(sections[i - 1]), b = ends(sections[i]);
+    for (std::size_t end = 0; end < 2; ++end)
+      for (int k = 0; k <= 20; ++k)
+        EXPECT_LT(inside(a[end] + k / 20.0 * (b[end] - a[end])), 1e-5) << i << " " << k;
+    for (const Eigen::Vector3d& p : b) EXPECT_GT(inside(p), -apart - 1e-5) << i;
+  }
 }
 
 TEST(Sections, OfASphereAreItsParallels) {
@@ -181,8 +205,8 @@ TEST(Sections, ObliqueDirectionCutsTheWholeSurface) {
   settings.direction = Eigen::Vector3d(1, 2, 0.2);
   settings.stations = 25;
   const Cut cut = cutOf(target, settings);
-  EXPECT_GE(cut.sections.size(), 23u);
-  EXPECT_LT(deviation(target, cut.sections), kAccuracy);
+  EXPECT_EQ(cut.sections.size(), 25u);
+  EXPECT_LT(deviation(target, cut.sections, true), kAccuracy);
   for (const Section& s : cut.sections) {
     EXPECT_NEAR((s.frame.normal - Eigen::Vector3d(1, 2, 0.2).normalized()).norm(), 0, 1e-12);
     EXPECT_GT(s.curve().value(s.curve().end()).x(), s.curve().value(s.curve().start()).x());
@@ -224,31 +248,57 @@ TEST(Sections, GoOnBesideCornersAcrossWhichPlanesLeaveTheBlock) {
     const double all = (900 + 700 * aside) / std::hypot(1, aside);
     EXPECT_NEAR(cut.sections.front().travel, 0, 1e-9);
     EXPECT_NEAR(cut.sections.back().travel, all, 1e-9);
-    const auto ends = [](const Section& s) {
-      return std::array{s.frame.toWorld(s.curve().value(s.curve().start())),
-                        s.frame.toWorld(s.curve().value(s.curve().end()))};
-    };
-    for (std::size_t i = 0; i < cut.sections.size(); ++i) {
-      ASSERT_EQ(cut.sections[i].chosen, 0) << i;
-      if (i == 0) continue;
-      // What lies in the block between two planes lies between their ends.
-      const auto a = ends(cut.sections[i - 1]), b = ends(cut.sections[i]);
-      for (std::size_t end = 0; end < 2; ++end)
-        for (int k = 0; k <= 20; ++k) {
-          const Eigen::Vector3d p = a[end] + k / 20.0 * (b[end] - a[end]);
-          const double inside = std::min({p.x() - 1500, 2400 - p.x(), p.y() - 300, 1000 - p.y()});
-          EXPECT_LT(inside, 1e-5) << aside << " " << i << " " << k;
-        }
-      // Not much farther than that: what is beside the block is not asked for.
-      for (const Eigen::Vector3d& p : b) {
-        const double outside = std::max({1500 - p.x(), p.x() - 2400, 300 - p.y(), p.y() - 1000});
-        EXPECT_LT(outside, all / 14 + 1e-5);
-      }
-    }
+    SCOPED_TRACE(aside);
+    expectBetweenEnds(cut.sections, {1500, 300}, {2400, 1000}, all / 14);
     EXPECT_LT(deviation(target, cut.sections), kAccuracy);
     ASSERT_TRUE(followBeyond(target, cut.setup, 150, cut.sections, {}));
     for (const Section& s : cut.sections) EXPECT_TRUE(s.beyond) << s.index;
   }
+}
+
+TEST(Sections, GoOnBesideASurfaceThatEndsWithTheBlock) {
+  const auto height = [](double x, double y) { return 30 * std::cos(x / 150) + y * y / 4000; };
+  const Target target = targetOf(stepOf(
+      [&](double u, double v) { return Eigen::Vector3d(600 * u, 800 * v, height(600 * u, 800 * v)); }));
+  for (const double aside : {1e-4, 0.02, 0.3, 1.0, 3.0}) {
+    SCOPED_TRACE(aside);
+    CutSettings settings;
+    settings.block = BlockPlacement{{0, 0, -250}, {600, 800, 500}, {0, 0, 0}};
+    settings.direction = Eigen::Vector3d(aside, 1, 0);
+    settings.stations = 25;
+    const Cut cut = cutOf(target, settings);
+    ASSERT_EQ(cut.sections.size(), 25u);
+    EXPECT_TRUE(cut.findings.empty());
+    const double all = (800 + 600 * aside) / std::hypot(1, aside);
+    // The rows begin and end at the corners, as near as planes come to them.
+    EXPECT_NEAR(cut.sections.front().travel, 0, 0.2);
+    EXPECT_NEAR(cut.sections.back().travel, all, 0.2);
+    // The planes' ends keep off the corners by as little.
+    expectBetweenEnds(cut.sections, {0.2, 0.2}, {599.8, 799.8}, all / 24 + 0.4);
+    EXPECT_LT(deviation(target, cut.sections, true), kAccuracy);
+    // Beyond the borders they go on as the surface does there.
+    for (const Section& s : cut.sections)
+      for (const Eigen::Vector2d& q : s.curve().sample(101)) {
+        const Eigen::Vector3d p = s.frame.toWorld(q);
+        EXPECT_NEAR(p.z(), height(p.x(), p.y()), 2.5) << s.index;
+      }
+  }
+}
+
+TEST(Sections, EndWithTheirSurfaceInsideABlock) {
+  // 100 mm of block on all sides of it.
+  const Target target = targetOf(
+      stepOf([](double u, double v) { return Eigen::Vector3d(600 * u, 800 * v, 30 * std::cos(4 * u)); }));
+  CutSettings settings;
+  settings.block = BlockPlacement{{-100, -100, -250}, {800, 1000, 500}, {0, 0, 0}};
+  settings.direction = Eigen::Vector3d(0.3, 1, 0);
+  settings.stations = 25;
+  const Cut cut = cutOf(target, settings);
+  EXPECT_TRUE(cut.findings.empty());
+  const double all = (800 + 600 * 0.3) / std::hypot(1, 0.3);
+  ASSERT_EQ(cut.sections.size(), 25u);
+  EXPECT_NEAR(cut.sections.back().travel - cut.sections.front().travel, all, 0.4);
+  expectBetweenEnds(cut.sections, {0.2, 0.2}, {599.8, 799.8}, all / 24 + 0.4);
 }
 
 TEST(Sections, AreFollowedOnTheirSurfaceBeyondTheBlock) {
