@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analytic_surfaces.h"
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/motion/motion.h"
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
@@ -264,6 +266,59 @@ TEST(Leads, GrowUntilTheWholeBladeIsOutsideOfTheBlock) {
   };
   EXPECT_NEAR((ends(motion->instants.size() - 1) - ends(motion->instants.size() - 2)).norm(), 221, 1e-9);
   EXPECT_NEAR((ends(1) - ends(0)).norm(), 20, 1e-9);
+}
+
+/// How far outside of the block the grips are at the nearest place of their straight ways, mm.
+double nearestGrip(const Motion& motion, std::size_t first, std::size_t last) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first + 1; i <= last; ++i)
+    for (std::size_t grip = 0; grip < 2; ++grip)
+      for (int k = 0; k <= 400; ++k) {
+        const Eigen::Vector3d &from = motion.instants[i - 1].poses[grip].position,
+                              &to = motion.instants[i].poses[grip].position;
+        const Eigen::Vector3d place = from + k / 400.0 * (to - from);
+        nearest = std::min(
+            nearest, test::outside(motion.block, motion.block.frame.toWorld(place.head<2>(), place.z())));
+      }
+  return nearest;
+}
+
+TEST(Leads, TellOfGripsThatComeIntoTheBlock) {
+  test::RowSettings settings;
+  settings.lead = 20;
+  settings.clearance = 20;
+  settings.blade.length = 560;
+  for (const double turned : {0.0, 6.0, 20.0, -20.0}) {
+    SCOPED_TRACE(turned);
+    const Eigen::AngleAxisd by(fromDegrees(turned), Eigen::Vector3d::UnitZ());
+    // The sections end 220 mm before the block, which is turned, so that it comes across the way out.
+    const Box block{Frame{by * Eigen::Vector3d(-kHalf, -300, -100), by * Eigen::Vector3d::UnitX(),
+                          by * Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()},
+                    {2 * kHalf, 310, 300}};
+    Findings findings;
+    const Result<Sweep> sweep =
+        buildSweep(test::sectionsOf(9, 10, [](int) { return test::graphCurve(kHalf - 10, kDome); }), settings,
+                   block, PlaneFamily::across(block, -Eigen::Vector3d::UnitY()), {}, findings);
+    ASSERT_TRUE(sweep);
+    findings.clear();
+    const Result<Motion> motion = buildMotion(*sweep, {}, sweep->poses, settings, findings);
+    ASSERT_TRUE(motion);
+    const std::size_t last = motion->instants.size() - 1;
+    const double nearest = nearestGrip(*motion, last - 1, last);
+    const auto told = std::ranges::find_if(findings, [](const Finding& finding) {
+      return std::holds_alternative<GripTooNear>(finding.cause) && finding.where.stations->last < 0;
+    });
+    const bool found = told != findings.end();
+    EXPECT_EQ(nearest < settings.clearance - 0.1, found);
+    EXPECT_EQ(found, turned != 0);
+    if (!found) continue;
+    EXPECT_EQ(told->severity, nearest < 0 ? Severity::error : Severity::warning);
+    EXPECT_NEAR(std::get<GripTooNear>(told->cause).distance, nearest, 0.2);
+    EXPECT_NEAR(test::outside(block, *told->where.point), nearest, 0.2);
+    EXPECT_EQ(told->where.stations->first, 8);
+    EXPECT_EQ(told->where.stations->count, 0);
+    EXPECT_EQ(nearest < 0, std::abs(turned) == 20);
+  }
 }
 
 struct OnSphere {

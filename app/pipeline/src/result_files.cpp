@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -156,7 +157,7 @@ std::string deviationCsv(const std::vector<Strip>& strips) {
           lines.text(",");
           if (const char* word = mapWord(field.name, field.values[k]))
             lines.text(word);
-          else
+          else if (std::isfinite(field.values[k]))
             lines.fixed(field.values[k], 5);
         }
         lines.text("\n");

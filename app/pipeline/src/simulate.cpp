@@ -12,6 +12,7 @@
 #include <span>
 #include <variant>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/core/sweep/row_certainty.h"
@@ -162,6 +163,31 @@ void judgeFloor(const Simulation& simulation, const CutEvaluation& cut, double m
                        " the face that the block lies on (floor: " + shortText(*floor) + " mm)");
 }
 
+/// Where a grip comes into the block, or, while any of the blade is in it, nearer than the clearance and what
+/// the motion tolerance leaves of it.
+void judgeGrips(const Simulation& simulation, const CutEvaluation& cut, double motionTolerance,
+                std::vector<std::string>& exceeded) {
+  if (simulation.blades.empty()) return;
+  constexpr int kPlaces = 101;
+  const SurfaceGrid swept = simulation.swept(kPlaces);
+  const Box& block = cut.setup->block;
+  const double clearance = cut.sweep.value->request.clearance;
+  double least = std::numeric_limits<double>::infinity(), time = 0;
+  for (std::size_t r = 0; r < simulation.blades.size(); ++r) {
+    const std::span points(&swept.points[r * kPlaces], std::size_t(kPlaces));
+    const double distance = std::min(boxDistance(block, points.front()), boxDistance(block, points.back()));
+    const bool cuts = std::ranges::any_of(
+        points, [&](const Eigen::Vector3d& place) { return boxDistance(block, place) < 0; });
+    if ((!cuts && distance >= 0) || distance >= least) continue;
+    least = distance;
+    time = simulation.blades[r].time;
+  }
+  if (least < clearance - motionTolerance)
+    exceeded.push_back("at " + shortText(time, 4) + " s a grip is " + shortText(std::abs(least)) +
+                       (least < 0 ? " mm inside the block" : " mm from the block") +
+                       " (clearance: " + shortText(clearance) + " mm)");
+}
+
 /// When a stretch of a run is.
 std::string whenText(const Simulation& simulation, const RunStretch& at) {
   const double from = simulation.blades[at.first].time, to = simulation.blades[at.last].time;
@@ -287,6 +313,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     run.exceeded = judge(*design, run.simulation, *surface);
     judgeBarriers(run.barriers, run.exceeded);
     judgeFloor(run.simulation, *cut, design->process.motionTolerance, run.exceeded);
+    judgeGrips(run.simulation, *cut, design->process.motionTolerance, run.exceeded);
     const Result<Cell> cell = loadCell(design->output.cell);
     const bool exchanged = gripsExchanged(run.motion, cut->motion.value.get());
     const ProgramLook look{*read->dialect,          read->files, *design, *cut,

@@ -213,10 +213,15 @@ static std::string lessThan(double distance, double limit) {
 }
 
 std::string Sentences::operator()(const GripTooNear& cause) const {
+  const StationRange& range = *finding.where.stations;
+  const bool between = range.count == 0 && range.first >= 0 && range.last >= 0;
   std::string text =
-      at() + (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
-                                 : "a grip passes the block at " + lessThan(cause.distance, cause.clearance) +
-                                       ", less than the clearance of " + mm(cause.clearance));
+      onTheWay(finding, at()) +
+      (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
+                          : "a grip passes the block at " + lessThan(cause.distance, cause.clearance) +
+                                ", less than the clearance of " + mm(cause.clearance));
+  if (between) return text + "; " + moreStationsText(finding, "take more stations");
+  if (range.count == 0) return text + "; " + otherBlockText(finding, true);
   if (const OtherLength* blade = remedyOf<OtherLength>(finding.remedies))
     return text + "; a blade of at least " + mm(blade->length, 6) + " keeps the clearance";
   text += cause.unheldLength ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) +

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -25,7 +26,8 @@ constexpr int kHalvings = 14;      // of the way between two places of the blade
 constexpr int kAcross = 40;        // places of the blade at least on a row of the surface shown,
 constexpr int kMostPlaces = 2001;  // and of all of it at most
 constexpr int kMeasured = 81;      // places of what lies over it
-constexpr double kEdge = 0.01;     // mm beyond the border of the surface shown: rounding
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // of a place beside the block
+constexpr double kEdge = 0.01;  // mm beyond the border of the surface shown: rounding
 
 /// What of the blade lies over the surface shown at a moment, in columns of `Runs::whole`.
 struct Part {
@@ -154,11 +156,12 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       if (!foot) return tl::unexpected<Error>(foot.error());
       seed = *foot;
       const double offset = sampler->offset(place, *foot), fromTarget = std::abs(offset);
+      const bool cuts = foam.cuts(place, *foot);
       grid.points.push_back(place);
-      grid.fields[0].values.push_back(offset);
-      grid.fields[1].values.push_back(seen.distance);
+      grid.fields[0].values.push_back(cuts ? offset : kNone);
+      grid.fields[1].values.push_back(cuts ? seen.distance : kNone);
       if (seen.beside > kEdge || seen.across > kEdge) continue;  // it left the surface and came back
-      if (!foam.holds(place) && !foam.holds(foot->point)) continue;
+      if (!cuts) continue;
       const RunSpot spot{place, now.time, now.instant};
       // What it sweeps across itself, half of the way from the moment before and half of that to the next.
       const Vector3d tangent =

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "bw/core/base/frame.h"
 #include "bw/core/base/line_in_box.h"
+#include "bw/core/surface/surface_sampler.h"
 #include "bw/core/sweep/oblique_planes.h"
 #include "bw/core/sweep/sweep.h"
 
@@ -29,10 +31,24 @@ class InFoam {
 
   /// True of parallel planes that meet the block obliquely.
   bool slanted() const { return slanted_; }
+  /// mm between two stations of such planes, at most: between them a grip may pass a corner of the block
+  /// nearer than at either; 0 of others, which it passes alongside.
+  double apart() const { return slanted_ ? way_.norm() : 0; }
 
   bool holds(const Eigen::Vector3d& place) const {
     const Eigen::Vector3d local = block_.frame.toLocal(place);
     return (local.array() >= -kSlack).all() && ((local - block_.size).array() <= kSlack).all();
+  }
+  /// Whether it holds each of some places.
+  std::vector<char> heldOf(const std::vector<Eigen::Vector3d>& places) const {
+    std::vector<char> held;
+    for (const Eigen::Vector3d& place : places) held.push_back(holds(place));
+    return held;
+  }
+  /// Whether a place of the blade is one of the cut: in the block, or off a place of the surface that is. One
+  /// beside it that is nearest to the surface's border is none.
+  bool cuts(const Eigen::Vector3d& place, const SurfaceSampler::Foot& foot) const {
+    return holds(place) || (!foot.onBoundary && holds(foot.point));
   }
   /// What a place of a section counts: 1 in the block. Before or behind it along slanted travel it is less by
   /// the way from there in parts of the widest one from station to station, which is the share that the place

@@ -13,6 +13,7 @@
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
 #include "sweep/floor_watch.h"
+#include "sweep/grip_watch.h"
 #include "sweep/held_blade.h"
 
 namespace bw {
@@ -127,6 +128,8 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   Points last;  // of the blade in that pose, where it was moved to
   double shifted = 0;
   sweep::FloorWatch floor(sweep.block, request.floor);
+  sweep::GripWatch grips(sweep);
+  bool cuts = false;  // on the way to the next pose
   const auto movedBy = [](double shift, const BladePose& pose, Points points) {
     for (Eigen::Vector3d& point : points) point += shift * pose.frame.normal;
     return points;
@@ -156,6 +159,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     before = &pose;
     shifted = shift;
     const Eigen::Vector3d n = pose.frame.normal, move = shift * n;
+    grips.go({pose.leftPoint() + move, pose.rightPoint() + move}, station, cuts);
     motion.instants.push_back({time,
                                station,
                                {endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), n),
@@ -168,6 +172,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   if (leadIn > 0 &&
       (ends.entry.poses.empty() || apart(sweep.poses.front(), ends.entry.poses.back(), -leadIn)))
     go(sweep.poses.front(), -leadIn, -1);
+  cuts = true;
   TargetsCrowd crowd{0, kTargetSeconds, kTargetSeconds, request.motionTolerance};
   for (const BladePose& pose : targets) {
     const double since = time;
@@ -177,10 +182,16 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     crowd.seconds = std::min(crowd.seconds, time - since);
   }
   if (crowd.count > 0) findings.push_back({Severity::info, crowd, {}, {}});
-  if (leadOut > 0 && (ends.exit.poses.empty() || apart(sweep.poses.back(), ends.exit.poses.front(), leadOut)))
+  if (leadOut > 0 &&
+      (ends.exit.poses.empty() || apart(sweep.poses.back(), ends.exit.poses.front(), leadOut))) {
     go(sweep.poses.back(), leadOut, -1);
-  for (std::size_t i = 0; i < ends.exit.poses.size(); ++i)
+    cuts = false;
+  }
+  for (std::size_t i = 0; i < ends.exit.poses.size(); ++i) {
     go(ends.exit.poses[i], 0, -1, i == 0 ? 0 : kLeastBend);
+    cuts = false;
+  }
+  std::ranges::move(grips.told(), std::back_inserter(findings));
   std::ranges::move(floor.told(), std::back_inserter(findings));
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {

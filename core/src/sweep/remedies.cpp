@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/sweep/section_request.h"
 #include "sweep/station_fit.h"
@@ -153,25 +154,6 @@ std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::s
     if (all) return tried.blade.length;
   }
   return {};
-}
-
-double boxDistance(const Box& box, const Eigen::Vector3d& point, Eigen::Vector3d* away) {
-  const Eigen::Vector3d half = 0.5 * box.size;
-  const Eigen::Vector3d local = box.frame.toLocal(point) - half;
-  const Eigen::Vector3d q = local.cwiseAbs() - half;
-  const double outside = q.cwiseMax(0.0).norm();
-  if (away) {
-    Eigen::Vector3d grows = Eigen::Vector3d::Zero();
-    Eigen::Index side = 0;
-    q.maxCoeff(&side);
-    if (outside > 0)
-      grows = q.cwiseMax(0.0) / outside;
-    else
-      grows(side) = 1;
-    grows = (local.array() < 0).select(-grows, grows);
-    *away = grows.x() * box.frame.x + grows.y() * box.frame.y + grows.z() * box.frame.normal;
-  }
-  return outside > 0 ? outside : q.maxCoeff();
 }
 
 GripReach lengthThatClears(const Sweep& sweep, const BladePose& worst, double clearance) {

@@ -33,11 +33,6 @@ inline constexpr double kRadiusReserve = 0.99;
 [[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::size_t last,
                                                  const std::function<bool(const Elastica&)>& holds);
 
-/// Distance of a point to a box in mm, negative inside (docs/mathematics.md, clearance). `away`, if given,
-/// gets the unit direction in which it grows.
-[[nodiscard]] double boxDistance(const Box& box, const Eigen::Vector3d& point,
-                                 Eigen::Vector3d* away = nullptr);
-
 /// What a longer blade would do for grips that lie in or near the block.
 struct GripReach {
   std::optional<double> length = std::nullopt;  ///< mm, whole; empty if no length up to Blade::kLongest does

@@ -345,7 +345,7 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       Result<SurfaceSampler::Foot> foot = sampler->closest(place, feet[c] ? &*feet[c] : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       feet[c] = *foot;
-      if (!foam.holds(place) && !foam.holds(foot->point)) continue;
+      if (!foam.cuts(place, *foot)) continue;
       const double away = std::abs(sampler->offset(place, *foot));
       if (away > way.deviationMax) {
         way.deviationMax = away;

@@ -97,14 +97,19 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   cut.rows = int(n);
   cut.columns = kPoints;
   cut.points.resize(n * kPoints);
-  std::vector<std::pair<std::size_t, double (*)(const CutSample&)>> maps;
+  struct Told {
+    std::size_t field;
+    const MapInfo* map;
+  };
+  std::vector<Told> maps;
   for (const MapInfo& map : cutMaps()) {
     if (!map.ofCut || map.name == std::string_view("grip_error")) continue;
-    if (map.value) maps.emplace_back(cut.fields.size(), map.value);
+    if (map.value) maps.push_back({cut.fields.size(), &map});
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
   }
   sketch.rest.resize(n);
   sketch.deviation.resize(n);
+  sketch.speed.resize(n);
   sketch.crosses.resize(n);
   struct Seen {
     double angle = 0, speedRatio = 1, curvature = 0, above = std::numeric_limits<double>::infinity();
@@ -118,6 +123,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     std::array<Elastica::State, kPoints> states;
     pose.at(pose.cutArcs(kPoints), states);
     const StationVelocity v = sweep::stationVelocity(poses, travel, i, kPoints, request.cuttingSpeed);
+    std::vector<char> held(kPoints);
     for (int c = 0; c < kPoints; ++c) {
       const auto k = std::size_t(c);
       const Eigen::Vector3d p = pose.frame.toWorld(states[k].point);
@@ -130,9 +136,12 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
                              stressAtLimit * bend};
       const std::size_t at = i * kPoints + k;
       cut.points[at] = p;
-      for (const auto& [field, value] : maps) cut.fields[field].values[at] = value(sample);
-      if (foam.holds(p) || foam.holds(foot->point))
-        sketch.deviation[i] = std::max(sketch.deviation[i], std::abs(sample.deviation));
+      const bool cuts = foam.cuts(p, *foot);
+      if (cuts) sketch.deviation[i] = std::max(sketch.deviation[i], std::abs(sample.deviation));
+      held[k] = foam.holds(p);
+      for (const auto& [field, map] : maps)
+        cut.fields[field].values[at] =
+            cuts || map->ofBlade ? map->value(sample) : std::numeric_limits<double>::quiet_NaN();
     }
     double margin = 1;
     if (pose.heavy) {
@@ -146,7 +155,9 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     }
     sketch.rest[i] = others_[i].now(row, pose, margin, request.margin);
     sketch.crosses[i] = pose.crossesItself() || pose.gripsSwapped();
-    seen[i] = {std::ranges::max(v.angle), std::ranges::min(v.relative), pose.maxCurvature()};
+    const sweep::VelocitySpan inFoam = sweep::spanOf(v, held);
+    sketch.speed[i] = {inFoam.speedMin, inFoam.speedMax};
+    seen[i] = {inFoam.angleMax, inFoam.relativeMin, pose.maxCurvature()};
     if (request.floor) seen[i].above = lowestPlace(row.block, pose).height;
     return {};
   };

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "sweep/held_blade.h"
@@ -345,7 +346,8 @@ void Row::clear(Station& station) const {
                                  station.byGrips.middleRows<2>(3 * grip);
   }
   // Where the blade is too short for both, they share what there is; one that leaves a grip inside is told.
-  const double mean = 0.5 * (distances[0] + distances[1]), asked = sweep_.request.clearance + kRoom;
+  const double mean = 0.5 * (distances[0] + distances[1]),
+               asked = std::hypot(sweep_.request.clearance, 0.5 * foam_.apart()) + kRoom;
   if (mean <= 0) return;
   for (std::size_t grip = 0; grip < 2; ++grip) {
     const Eigen::Index row = kStationClearances + Eigen::Index(grip);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bw::sweep {
 
@@ -79,6 +80,25 @@ StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::
     result.speed.push_back(fastestBlade > 0 ? speed / fastestBlade * cuttingSpeed : cuttingSpeed);
   }
   return result;
+}
+
+VelocitySpan spanOf(const StationVelocity& velocity, const std::vector<char>& held) {
+  const bool all = std::ranges::count(held, 1) == 0;
+  VelocitySpan span{0, 0, 1, std::numeric_limits<double>::infinity(), 0};
+  double slowest = std::numeric_limits<double>::infinity(), fastest = 0, count = 0;
+  for (std::size_t k = 0; k < velocity.angle.size(); ++k) {
+    if (!all && !held[k]) continue;
+    ++count;
+    span.angleMean += velocity.angle[k];
+    span.angleMax = std::max(span.angleMax, velocity.angle[k]);
+    span.speedMin = std::min(span.speedMin, velocity.speed[k]);
+    span.speedMax = std::max(span.speedMax, velocity.speed[k]);
+    slowest = std::min(slowest, velocity.relative[k]);
+    fastest = std::max(fastest, velocity.relative[k]);
+  }
+  span.angleMean /= count;
+  span.relativeMin = fastest > 0 ? slowest / fastest : 1;
+  return span;
 }
 
 }  // namespace bw::sweep

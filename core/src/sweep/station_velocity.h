@@ -16,4 +16,14 @@ namespace bw::sweep {
                                               const std::vector<double>& travel, std::size_t i, int columns,
                                               double cuttingSpeed);
 
+/// What a station's velocity is from its slowest to its fastest point, mean of the angle.
+struct VelocitySpan {
+  double angleMean = 0, angleMax = 0;  ///< rad
+  double relativeMin = 1;              ///< slowest over fastest
+  double speedMin = 0, speedMax = 0;   ///< mm/s
+};
+
+/// Of the points that are `held`, one flag each; where none is, of all.
+[[nodiscard]] VelocitySpan spanOf(const StationVelocity& velocity, const std::vector<char>& held);
+
 }  // namespace bw::sweep

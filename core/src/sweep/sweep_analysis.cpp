@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <span>
@@ -141,7 +142,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   }
   const double stressAtLimit = sweep.request.blade.stress(sweep.request.blade.maxCurvature());
   const sweep::InFoam foam(sweep.block);
-  std::vector<char> counts(cut.points.size());  // of what is cut of the block, or should be
+  std::vector<char> counts(cut.points.size());  // whether it is of the cut of the block
   std::mutex errorMutex;
   std::optional<Error> firstError;
   int firstErrorChunk = kChunks;
@@ -175,7 +176,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
           }
           return;
         }
-        counts[at] = foam.holds(p) || foam.holds(foot->point);
+        counts[at] = foam.cuts(p, *foot);
         const double bend = blend(curvature[i], curvature[i + 1], f, c);
         const CutSample sample{sampler->offset(p, *foot),
                                blend(va.angle, vb.angle, g, c),
@@ -223,6 +224,10 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   summary.deviationRms = std::sqrt(squares);
   summary.withinTolerance = std::max(0.0, 1 - beyond);
   summary.angleMean = angles * kDegree;
+  for (Field& field : cut.fields)
+    if (!cutMap(field.name)->ofBlade)
+      for (std::size_t k = 0; k < counts.size(); ++k)
+        if (!counts[k]) field.values[k] = std::numeric_limits<double>::quiet_NaN();
 
   // What cannot be cut, and why.
   std::vector<double> parameters;

@@ -8,11 +8,13 @@
 #include <limits>
 #include <optional>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "sweep/cut_rows.h"
 #include "sweep/held_blade.h"
+#include "sweep/in_foam.h"
 #include "sweep/remedies.h"
 #include "sweep/station_velocity.h"
 
@@ -94,6 +96,7 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
   for (const BladePose& pose : poses) travel.push_back(pose.travel);
   SweepCheck result{std::vector<StationCheck>(poses.size()), std::vector<StationVelocity>(poses.size()),
                     std::vector<std::vector<double>>(poses.size())};
+  const sweep::InFoam foam(sweep.block);
   const auto body = [&](int i) {
     const BladePose& pose = poses[std::size_t(i)];
     StationVelocity& v = result.velocities[std::size_t(i)];
@@ -110,15 +113,14 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     check.crossesItself = pose.crossesItself();
     check.gripsSwapped = pose.gripsSwapped();
     check.stable = check.stabilityMargin > 0 && !sweep.fits[std::size_t(i)].snapsAt;
-    check.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
-    check.angleMean = 0;
-    for (double angle : v.angle) check.angleMean += angle / kColumns;
-    check.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
-    const auto [slowest, fastest] = std::minmax_element(v.speed.begin(), v.speed.end());
-    check.speedMin = *slowest;
-    check.speedMax = *fastest;
-    check.clearance = std::min(sweep::boxDistance(sweep.block, pose.leftPoint()),
-                               sweep::boxDistance(sweep.block, pose.rightPoint()));
+    const sweep::VelocitySpan inFoam = sweep::spanOf(v, foam.heldOf(pose.points(pose.cutArcs(kColumns))));
+    check.angleMax = inFoam.angleMax;
+    check.angleMean = inFoam.angleMean;
+    check.speedRatio = inFoam.relativeMin;
+    check.speedMin = inFoam.speedMin;
+    check.speedMax = inFoam.speedMax;
+    check.clearance =
+        std::min(boxDistance(sweep.block, pose.leftPoint()), boxDistance(sweep.block, pose.rightPoint()));
     check.aboveBottom = lowestPlace(sweep.block, pose).height;
     check.nearBottom = request.floor && check.aboveBottom < *request.floor;
   };

@@ -98,17 +98,13 @@ std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result) {
 
 std::vector<StationNumbers> stationNumbers(const pipeline::CutSketch& sketch) {
   std::vector<StationNumbers> numbers;
-  const SurfaceGrid& cut = sketch.look->cut;
-  const std::vector<double>& speed = cut.field("speed")->values;
   for (std::size_t i = 0; i < sketch.sweep->poses.size(); ++i) {
     StationNumbers& n = numbers.emplace_back();
     n.maxCurvature = sketch.sweep->poses[i].maxCurvature();
     n.stress = sketch.sweep->request.blade.stress(n.maxCurvature);
     n.deviation = sketch.look->deviation[i];
-    const auto row = speed.begin() + std::ptrdiff_t(i) * cut.columns;
-    const auto [slowest, fastest] = std::minmax_element(row, row + cut.columns);
-    n.speedMin = *slowest;
-    n.speedMax = *fastest;
+    n.speedMin = sketch.look->speed[i][0];
+    n.speedMax = sketch.look->speed[i][1];
   }
   return numbers;
 }

@@ -362,8 +362,9 @@ void MainWindow::refreshSummary() {
   const SweepSummary& s = result->analysis.summary;
   double slowest = bench_.shown()->design.process.cuttingSpeed;
   const double fastest = slowest;
-  if (const Field* speed = result->analysis.cut.field("speed"); speed && !speed->values.empty())
-    slowest = *std::min_element(speed->values.begin(), speed->values.end());
+  if (const Field* speed = result->analysis.cut.field("speed"))
+    for (const double value : speed->values)
+      if (value < slowest) slowest = value;
   const QString low = QString::fromStdString(shortText(slowest, 3)), high = speedText(fastest);
   const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
   const QString radius = radiusText(s.minRadius);

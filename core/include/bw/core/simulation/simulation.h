@@ -117,7 +117,7 @@ struct SimulatedSurface {
 /// or nearest to what of the target lies there; of a run that halts what comes before. `cut`, unless it is
 /// null, gets what is cut: a row a moment from where the blade comes over the surface to where it leaves it,
 /// at equal arc length, with the fields "deviation" (mm from the target, signed where it has sides) and
-/// "from_shown" (mm). Errors: those of the sampler; `cancelled`.
+/// "from_shown" (mm), beside the block not a number. Errors: those of the sampler; `cancelled`.
 [[nodiscard]] Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
                                                const Box& block, const PlaneFamily& planes,
                                                const SurfaceSampler& target, const RunContext& context,

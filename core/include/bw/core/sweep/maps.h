@@ -38,6 +38,8 @@ struct MapInfo {
   double leastSpan = 1e-3;  ///< of an automatic range, in its unit
   std::span<const char* const> words = {};
   bool ofCut = true;  ///< else of the creases in which cut surfaces meet, which are coloured in its place
+  bool ofBlade =
+      false;  ///< beside the block too; the others tell of what is cut, and there is no number there
 };
 
 /// All maps, in the order of every list of them. Those with a `value` are the fields of `SweepAnalysis::cut`,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,9 +24,10 @@ namespace bw {
 struct RowSketch {
   /// One row a station. The fields of `SweepAnalysis::cut`, and "certainty", without "grip_error".
   SurfaceGrid cut;
-  std::vector<Rest> rest;         ///< one a station, as far as it is known while the row moves
-  std::vector<double> deviation;  ///< mm, the largest of each station's cut from the target
-  std::vector<char> crosses;      ///< whether the blade crosses itself, one a station
+  std::vector<Rest> rest;                    ///< one a station, as far as it is known while the row moves
+  std::vector<double> deviation;             ///< mm, the largest of each station's cut from the target
+  std::vector<std::array<double, 2>> speed;  ///< mm/s, of the slowest and the fastest point that cuts
+  std::vector<char> crosses;                 ///< whether the blade crosses itself, one a station
   /// Of a target of one face, the parameters around all of its points that are nearest to the cut: where it
   /// is changed outside of these only, the look of the same row stays.
   Eigen::AlignedBox2d feet;

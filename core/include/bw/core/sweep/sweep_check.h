@@ -33,9 +33,10 @@ struct CheckRequest {
 
 /// What was seen at one station without looking at the target.
 struct StationCheck {
+  // Of the points that cut, as far as they lie in the block, where any do.
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
-  double speedRatio = 1;               ///< slowest over fastest point of the part that cuts
-  double speedMin = 0, speedMax = 0;   ///< mm/s, of the points that cut
+  double speedRatio = 1;               ///< slowest over fastest
+  double speedMin = 0, speedMax = 0;   ///< mm/s
   double clearance = 0;                ///< mm between the nearer grip and the block; negative inside it
   double aboveBottom = 0;  ///< mm of the lowest point of the blade over the face the block lies on
   double stabilityMargin =
@@ -89,7 +90,8 @@ struct SweepAnalysis {
   /// What stands: beside the middle of the blade by half the kerf. Sampled finely: every station and rows
   /// between, thinned to 481 rows where they are more (the summary and the findings are those of all). Fields
   /// "deviation" (mm, signed), "angle" (°), "speed" (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the
-  /// limit), "stress" (N/mm², of bending in the outermost fibre).
+  /// limit), "stress" (N/mm², of bending in the outermost fibre). Beside the block those that tell of the cut
+  /// (`MapInfo::ofBlade` false) are not a number.
   SurfaceGrid cut;
   SurfaceGrid middle = {};      ///< what the middle of the blade sweeps, where a kerf parts it from `cut`
   SplineSurface surface;        ///< the smooth skin of what stands, through the targets
