@@ -130,17 +130,30 @@ int runRationalize(const Session& session, const ResultOptions& options) {
   return writeResults(session, *design, options, threads);
 }
 
+/// What the design of a file loses where the one beside its results takes its place, in words; empty for
+/// nothing.
+std::string lostBeside(const Design& design, const ResultOptions& options) {
+  Design result = withoutVersions(design);
+  result.source().drawing.reset();
+  if (!design.versions.empty())
+    return "has named versions, which would be lost: results hold a design without";
+  if (design.source().drawing)
+    return "links a drawing, which would be lost: results hold the surface drawn there";
+  if (result != design)
+    return "hides or locks parts, which would be lost: results hold a design without such marks";
+  if (!options.sets.empty() || !options.version.empty())
+    return "would be replaced by the design that it is changed to here";
+  return {};
+}
+
 /// The design whose results are asked for. Errors besides: its file would be replaced by the one beside the
-/// results, which has no versions.
+/// results, which is not the same.
 Result<Design> askedFor(const Session& session, const ResultOptions& options) {
   Result<Design> design = session.openDesign(options.file);
   if (!design) return design;
-  if (!design->versions.empty() && pipeline::sameFile(fs::path(options.out) / kDesignFile, options.file))
-    return fail(ErrorCode::badInput,
-                options.file +
-                    " has named versions, which would be lost: results hold a design without; give --out "
-                    "another folder",
-                "out");
+  if (pipeline::sameFile(fs::path(options.out) / kDesignFile, options.file))
+    if (const std::string lost = lostBeside(*design, options); !lost.empty())
+      return fail(ErrorCode::badInput, options.file + " " + lost + "; give --out another folder", "out");
   if (!options.version.empty()) design = atVersion(*design, options.version);
   if (!design) return design;
   Result<pipeline::FollowedDesign> followed = pipeline::followDrawing(*design, session.context());

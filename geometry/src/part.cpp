@@ -52,7 +52,7 @@ namespace {
 
 constexpr double kFuzzy = 1e-5;     // mm: what lies nearer is the same for the booleans
 constexpr double kVolume = 1e-5;    // relative, of one face's share of a volume; 1e-9 is what comes of it
-constexpr double kBalance = 1e-6;   // of the block: what pieces may lack of what they were cut from
+constexpr double kBalance = 1e-5;   // of the block: what pieces may lack of what they were cut from
 constexpr double kRounding = 1e-9;  // of the block: a cut that takes no more takes nothing
 constexpr double kSpacings = 64;    // in the block's diagonal, between points that are looked at
 constexpr double kSag = 1.0 / 16;   // of that spacing, of chords along curved edges and faces

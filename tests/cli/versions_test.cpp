@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "process.h"
@@ -107,6 +108,22 @@ TEST(Versions, TellWhatIsWrong) {
   EXPECT_EQ(run.status, 2);
   EXPECT_TRUE(says(run, "has named versions, which would be lost")) << run.err;
   EXPECT_TRUE(says(blade({"versions", inside}), "made: as the present state"));
+  // Nor is one that is changed on the way, or that marks parts.
+  ASSERT_EQ(blade({"versions", inside, "--drop", "made"}).status, 0);
+  EXPECT_EQ(blade({"design", inside, "--out", out}).status, 0);
+  std::string kept = slurp(inside);
+  const Finished changed = blade({"design", inside, "--out", out, "--version", "x"});
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_TRUE(says(changed, "would be replaced by the design that it is changed to here")) << changed.err;
+  EXPECT_EQ(slurp(inside), kept);
+  json marked = json::parse(kept);
+  marked["locked"] = {{"cuts", {marked["cuts"][0]["id"]}}};
+  std::ofstream(inside) << marked.dump();
+  kept = slurp(inside);
+  const Finished locked = blade({"design", inside, "--out", out});
+  EXPECT_EQ(locked.status, 2);
+  EXPECT_TRUE(says(locked, "hides or locks parts, which would be lost")) << locked.err;
+  EXPECT_EQ(slurp(inside), kept);
 }
 
 TEST(Versions, FindTheFilesThatTheyLink) {

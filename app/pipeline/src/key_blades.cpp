@@ -58,11 +58,10 @@ Result<std::vector<FramedCurve>> sectionsOf(const CutEvaluation& cut) {
   return curves;
 }
 
-/// Sections in the planes of the cut and in others between these: where planes turn, those of key blades are
-/// none of them, so that sections far apart say little of what they do.
+/// Sections in the planes of the cut and in others between these: sections far apart say little of what
+/// numbers do between them, and where planes turn, those of key blades are none of them.
 Result<std::vector<Section>> closeSectionsOf(const CutEvaluation& cut, const RunContext& context) {
-  constexpr int kLeast = 80;      // distances between them
-  constexpr double kReach = 1e5;  // mm: all of a surface
+  constexpr int kLeast = 80;  // distances between them
   if (const Result<std::vector<FramedCurve>> own = sectionsOf(cut); !own)
     return tl::unexpected<Error>(own.error());
   const int apart = int(cut.sections.value->size()) - 1, parts = std::max(2, (kLeast + apart - 1) / apart);
@@ -80,10 +79,15 @@ Result<std::vector<Section>> closeSectionsOf(const CutEvaluation& cut, const Run
                       " mm along the travel, the section of the cut " + cut.id +
                       " is no single curve; give the cut a surface, or a block, that it meets in one",
                   "cut");
-  if (Result<void> ok = geometry::followBeyond(*cut.target.value, *cut.setup, kReach, *sections, context);
-      !ok)
-    return tl::unexpected<Error>(ok.error());
   return sections;
+}
+
+Result<std::vector<FramedCurve>> closeCurvesOf(const CutEvaluation& cut, const RunContext& context) {
+  const Result<std::vector<Section>> sections = closeSectionsOf(cut, context);
+  if (!sections) return tl::unexpected<Error>(sections.error());
+  std::vector<FramedCurve> curves;
+  for (const Section& section : *sections) curves.push_back({section.frame, section.travel, section.curve()});
+  return curves;
 }
 
 /// The parts of the blades that cut, as they hang.
@@ -161,10 +165,38 @@ std::vector<std::vector<Eigen::Vector3d>> linesOf(const SurfaceGrid& grid) {
   return rows;
 }
 
+/// What places of a surface, in the frame of key blades that do not turn, lie off the blade in their plane.
+struct OffBlades {
+  double distance = 0;  ///< mm, the largest
+  double y = 0;         ///< there
+};
+Result<OffBlades> offBlades(const std::vector<KeyBlade>& blades,
+                            const std::vector<std::vector<Eigen::Vector3d>>& lines) {
+  constexpr int kPoints = 257;
+  constexpr std::size_t kEvery = 4;
+  const Result<BladeSweep> sweep = BladeSweep::through(blades);
+  if (!sweep) return tl::unexpected<Error>(sweep.error());
+  OffBlades off;
+  for (const std::vector<Eigen::Vector3d>& line : lines)
+    for (std::size_t k = 0; k < line.size(); k += kEvery) {
+      const Eigen::Vector3d& place = line[k];
+      if (place.y() < sweep->from() || place.y() > sweep->to()) continue;
+      const Result<Elastica> blade = elasticaOf(sweep->at(place.y()));
+      if (!blade) return tl::unexpected<Error>(blade.error());
+      const Result<PlanarCurve> chain = PlanarCurve::points(blade->sample(kPoints));
+      if (!chain) return tl::unexpected<Error>(chain.error());
+      const Eigen::Vector2d p(place.x(), place.z());
+      const double distance = (chain->value(chain->nearestParameter(p)) - p).norm();
+      if (distance > off.distance) off = {distance, place.y()};
+    }
+  return off;
+}
+
 /// Of a cut whose planes are parallel.
 Result<CutKeyBlades> parallelBladesOf(const CutEvaluation& cut, Told told, double tolerance,
                                       const RunContext& context) {
-  const Result<std::vector<FramedCurve>> framed = told == Told::target ? sectionsOf(cut) : bladesOf(cut);
+  const Result<std::vector<FramedCurve>> framed =
+      told == Told::target ? closeCurvesOf(cut, context) : bladesOf(cut);
   if (!framed) return tl::unexpected<Error>(framed.error());
   CutKeyBlades found;
   found.surface = frameAcross(framed->front().frame);
@@ -187,6 +219,18 @@ Result<CutKeyBlades> parallelBladesOf(const CutEvaluation& cut, Told told, doubl
   }
   found.deviation = fewest->deviation;
   found.worst = curves[fewest->worst].y;
+  if (told == Told::cut && cut.analysis.value) {
+    // Blades are known at the stations; between them there is what they cut.
+    std::vector<std::vector<Eigen::Vector3d>> lines = linesOf(cut.analysis.value->cut);
+    for (std::vector<Eigen::Vector3d>& line : lines)
+      for (Eigen::Vector3d& place : line) place = axes.transpose() * (place - found.surface.origin);
+    const Result<OffBlades> off = offBlades(fewest->blades, lines);
+    if (!off) return tl::unexpected<Error>(off.error());
+    if (off->distance > found.deviation) {
+      found.deviation = off->distance;
+      found.worst = off->y;
+    }
+  }
   found.surface.shape = BladesSurface{std::move(fewest->blades)};
   return found;
 }
@@ -230,8 +274,12 @@ class TurnedRows {
 /// Of a cut whose planes turn: of key blades that turn, whose planes are those of the cut at the keys.
 Result<FewestTurnedBlades> turnedTargetOf(const CutEvaluation& cut, const TurnedRows& rows, double tolerance,
                                           const RunContext& context) {
-  const Result<std::vector<Section>> sections = closeSectionsOf(cut, context);
+  constexpr double kReach = 1e5;  // mm: all of a surface
+  Result<std::vector<Section>> sections = closeSectionsOf(cut, context);
   if (!sections) return tl::unexpected<Error>(sections.error());
+  if (Result<void> ok = geometry::followBeyond(*cut.target.value, *cut.setup, kReach, *sections, context);
+      !ok)
+    return tl::unexpected<Error>(ok.error());
   // From side to side of the surface, where what is elastica has numbers that run evenly; else in the block.
   Result<FewestTurnedBlades> best = fail(ErrorCode::internal, "no sections are told");
   for (const bool whole : {true, false}) {

@@ -27,12 +27,12 @@ enum class Told {
   cut      ///< what it cuts: the result becomes the design
 };
 
-/// The fewest key blades found whose sweep comes within `tolerance` (mm) of the sections of a cut, or of its
-/// blades at the stations (`fewestBlades`). Where the planes of the cut turn, the key blades turn, too
-/// (`fewestTurnedBlades`), and are held against the sections at the stations and between them, 81 at least,
-/// or against all of the surface that the blades cut. Error `badInput` where the cut has no such, or a
-/// section that is no single curve, or where the blade does not lie in the surface that it cuts since it has
-/// a kerf; those of `fewestBlades` and `fewestTurnedBlades`.
+/// The fewest key blades found whose sweep comes within `tolerance` (mm) of the sections of a cut, at the
+/// stations and between them, 81 at least, or of its blades at the stations (`fewestBlades`); their deviation
+/// is then from all of the surface that these cut. Where the planes of the cut turn, the key blades turn, too
+/// (`fewestTurnedBlades`), and are sought for all of that surface. Error `badInput` where the cut has no
+/// such, or a section that is no single curve, or where the blade does not lie in the surface that it cuts
+/// since it has a kerf; those of `fewestBlades` and `fewestTurnedBlades`.
 Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tolerance,
                                  const RunContext& context);
 

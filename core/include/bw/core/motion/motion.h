@@ -42,7 +42,8 @@ struct Motion {
 };
 
 /// mm, of those that programs know: none larger than half of the shorter of the two segments at any end
-/// (docs/robots.md, rule 13), and at most the first; 0 at the first and the last instant.
+/// (docs/robots.md, rule 13), and at most the first; at a station such that its corner is cut by 0.06 mm at
+/// most, or the least; 0 at the first and the last instant.
 inline constexpr std::array kZones = {1.0, 0.3, 0.05};
 [[nodiscard]] double plannedZone(const std::vector<MotionInstant>& instants, std::size_t i);
 
