@@ -108,10 +108,14 @@ Result<std::string> stepText(const SplineSurface& surface, const std::string& na
 
 Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::string& name) {
   StepText text;
+  std::vector<std::string> names;
+  for (const NamedSurface& one : surfaces) names.push_back(one.name);
+  names = stepNames(names);
   std::vector<int> shells;
-  for (const auto& [face, surface] : surfaces) {
-    if (auto ok = checkSplineSurface(*surface); !ok) return tl::unexpected(ok.error());
-    shells.push_back(shellOf(text, *surface, face));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const SplineSurface& surface = *surfaces[i].surface;
+    if (auto ok = checkSplineSurface(surface); !ok) return tl::unexpected(ok.error());
+    shells.push_back(shellOf(text, surface, names[i]));
   }
   return text.file(shells, name);
 }
@@ -166,11 +170,14 @@ Result<int> splineThrough(StepText& text, const Points& points, const std::strin
 Result<std::string> curvesStepText(std::span<const NamedCurve> curves, const std::string& name) {
   return guarded(ErrorCode::noSolution, "the curves could not be written", [&]() -> Result<std::string> {
     StepText text;
+    std::vector<std::string> names;
+    for (const NamedCurve& curve : curves) names.push_back(curve.name);
+    names = stepNames(names);
     std::vector<StepText::Wire> wires;
-    for (const NamedCurve& curve : curves) {
-      StepText::Wire wire{curve.name, curve.layer, {}};
-      for (const Points& piece : smoothPieces(curve.points)) {
-        const Result<int> id = splineThrough(text, piece, curve.name);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      StepText::Wire wire{names[i], curves[i].layer, {}};
+      for (const Points& piece : smoothPieces(curves[i].points)) {
+        const Result<int> id = splineThrough(text, piece, names[i]);
         if (!id) return tl::unexpected<Error>(id.error());
         wire.curves.push_back(*id);
       }

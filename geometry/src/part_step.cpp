@@ -82,16 +82,20 @@ Result<std::string> partsStepText(std::span<const NamedPart> parts, const std::s
   silenceOcct();
   return guarded(ErrorCode::internal, "the parts could not be written as STEP", [&]() -> Result<std::string> {
     STEPControl_Writer writer;
-    std::vector<std::string> names = {name};
+    std::vector<std::string> own;
+    for (const NamedPart& part : parts) own.push_back(part.name);
+    own = stepNames(own);
+    std::vector<std::string> names = {name};  // of the file, and of each part
+    names.insert(names.end(), own.begin(), own.end());
     Handle(StepData_StepModel) model = writer.Model(Standard_True);
-    for (const NamedPart& part : parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const NamedPart& part = parts[i];
       const int first = model->NbEntities() + 1;
       if (writer.Transfer(compoundOf(part.part->impl().solids), STEPControl_ManifoldSolidBrep) !=
           IFSelect_RetDone)
         return fail(ErrorCode::internal, "\"" + part.name + "\" could not be turned into STEP", part.name);
       model = writer.Model();
-      nameEntities(model, first, markOf(names.size()));
-      names.push_back(part.name);
+      nameEntities(model, first, markOf(i + 1));
     }
     setHeader(model, markOf(0));
     StepData_StepWriter lines(model);

@@ -8,6 +8,9 @@
 #include <charconv>
 #include <cstdint>
 
+#include "bw/core/text/distinct_names.h"
+#include "bw/core/text/printable.h"
+
 namespace bw::geometry {
 
 namespace {
@@ -57,13 +60,17 @@ std::string stepReal(double value) {
 std::string stepString(const std::string& utf8) {
   static const char* const kHex = "0123456789ABCDEF";
   std::string result = "'";
-  std::string wide;  // pending UTF-16 in hexadecimal
+  std::string wide;  // pending letters in hexadecimal
+  int digits = 0;    // of each of them
   const auto flush = [&] {
-    if (!wide.empty()) result += "\\X2\\" + wide + "\\X0\\";
+    if (!wide.empty()) result += (digits == 8 ? "\\X4\\" : "\\X2\\") + wide + "\\X0\\";
     wide.clear();
   };
-  const auto unit = [&](std::uint32_t u) {
-    for (int shift = 12; shift >= 0; shift -= 4) wide += kHex[(u >> shift) & 15];
+  const auto letter = [&](std::uint32_t code) {
+    const int own = code < 0x10000 ? 4 : 8;
+    if (own != digits) flush();
+    digits = own;
+    for (int shift = 4 * digits - 4; shift >= 0; shift -= 4) wide += kHex[(code >> shift) & 15];
   };
   for (std::size_t i = 0; i < utf8.size();) {
     const auto c = static_cast<unsigned char>(utf8[i]);
@@ -93,16 +100,16 @@ std::string stepString(const std::string& utf8) {
       ++i;
       continue;
     }
-    if (code >= 0x10000) {
-      unit(0xd800 + ((code - 0x10000) >> 10));
-      unit(0xdc00 + ((code - 0x10000) & 0x3ff));
-    } else {
-      unit(code);
-    }
+    letter(code);
     i += size;
   }
   flush();
   return result + "'";
+}
+
+std::vector<std::string> stepNames(const std::vector<std::string>& names) {
+  return distinctNames(
+      names, [](const std::string& name, const std::string& behind) { return printable(name) + behind; });
 }
 
 int StepText::add(const std::string& entity) {

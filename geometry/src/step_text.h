@@ -83,7 +83,11 @@ void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std:
 /// double.
 std::string stepReal(double value);
 
-/// The text in quotes; letters beyond ASCII as \X2\…\X0\.
+/// The text in quotes; letters beyond ASCII as \X2\…\X0\, those beyond the first plane of Unicode as
+/// \X4\…\X0\.
 std::string stepString(const std::string& utf8);
+
+/// The names as they stand in a file: control characters as escapes, and each another (`distinctNames`).
+std::vector<std::string> stepNames(const std::vector<std::string>& names);
 
 }  // namespace bw::geometry

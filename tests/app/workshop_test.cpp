@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "../drawings/pdf_text.h"
@@ -250,7 +251,7 @@ TEST(Workshop, CurvesHaveTheirNamesInDxfAndStep) {
   EXPECT_EQ(texts.at("seam-names"),
             (std::vector<std::string>{"cut-column-1 | \\U+00FCbergang",
                                       "\\U+00FCbergang | \\U+0025%u\\U+005EM\\U+005CU+0041 "
-                                      "\\U+D834\\U+DD1E 5%"}))
+                                      "(U+1D11E) 5%"}))
       << "no underlines, no control characters, no letters by what looks like their number";
   EXPECT_EQ(texts.at("outline-names").size(), 8u);
   EXPECT_EQ(texts.at("outline-names").front(), "cut-column-1 start");
@@ -259,6 +260,31 @@ TEST(Workshop, CurvesHaveTheirNamesInDxfAndStep) {
   for (const char* name : {"'curves'", "'seam'", "'outline'", "'seam cut-column-1 | \\X2\\00FC\\X0\\bergang'",
                            "'outline cut-column-1 start'"})
     EXPECT_NE(step.find(std::string("=PRODUCT(") + name), std::string::npos) << name;
+}
+
+TEST(Workshop, NamesOfCurvesAreEachAnotherWhateverTheIds) {
+  Design design = example("three-block-wall", 9);
+  const std::string lengthy(300, 'x');
+  const std::map<std::string, std::string> ids = {{"cut-column-1", lengthy + "1" + lengthy},
+                                                  {"cut-column-2", lengthy + "2" + lengthy},
+                                                  {"cut-column-3", "a\tb"}};
+  for (Cut& cut : design.cuts) cut.id = ids.at(cut.id);
+  design.grid.reset();
+  const Product product = made(design);
+  const auto texts = textsOf(file(product, "curves.dxf"));
+  for (const auto& [layer, names] : texts) {
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << layer;
+    for (const std::string& name : names) EXPECT_LE(name.size(), 255u) << name;
+  }
+  const std::vector<std::string>& seams = texts.at("seam-names");
+  ASSERT_EQ(seams.size(), 2u);
+  EXPECT_EQ(seams.front(), std::string(126, 'x') + "..." + std::string(126, 'x'));
+  EXPECT_TRUE(seams.back().ends_with("xxx | a\\U+005Ctb")) << seams.back();
+  const std::vector<std::string>& outlines = texts.at("outline-names");
+  EXPECT_TRUE(outlines.front().ends_with("xxx start")) << outlines.front();
+  EXPECT_EQ(
+      std::ranges::count_if(outlines, [](const std::string& name) { return name.ends_with("start (2)"); }),
+      1);
 }
 
 TEST(Workshop, GetsTheCurvesOfAWallAndOfCrossingCuts) {

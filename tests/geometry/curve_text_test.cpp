@@ -141,5 +141,16 @@ TEST(CurveText, HasAPartOfEachNameInATreeOfItsLayers) {
   EXPECT_TRUE(namesNoFaces(text));
 }
 
+TEST(CurveText, NamesAreReadAsTheyWereGiven) {
+  const std::vector<Eigen::Vector3d> line = {{0, 0, 0}, {10, 1, 1}, {20, 0, 0}};
+  const NamedCurve curves[] = {
+      {"Æ𝄞𝄢 ø", line}, {"a\tb", line}, {"a\\tb", line}, {"a b", line}, {"a  b", line}};
+  const Result<CadCurves> read = readCurves(curvesStepText(curves, "curves").value(), "curves.step");
+  ASSERT_TRUE(read) << read.error().message;
+  std::vector<std::string> names;
+  for (const SpaceCurve& curve : read->curves) names.push_back(curve.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Æ𝄞𝄢 ø", "a\\tb", "a\\tb (2)", "a b", "a  b (2)"}));
+}
+
 }  // namespace
 }  // namespace bw::geometry::test

@@ -525,6 +525,18 @@ TEST(PartsStep, EqualInputGivesEqualBytesAndEachPartIsAProduct) {
   EXPECT_EQ(modelOf(once).info().solids, 2);
 }
 
+TEST(PartsStep, TellsPartsApartWhoseNamesComeOutTheSame) {
+  const Sheet a(rising);
+  const Part part = partOf({below("a", a.surface)});
+  const std::vector<NamedPart> parts = {{"𝄞\t1", &part}, {"𝄞\\t1", &part}};
+  const std::string text = partsStepText(parts, "foam").value();
+  EXPECT_NE(text.find("PRODUCT('\\X4\\0001D11E\\X0\\\\\\t1',"), std::string::npos);
+  EXPECT_NE(text.find("PRODUCT('\\X4\\0001D11E\\X0\\\\\\t1 (2)',"), std::string::npos);
+  std::map<std::string, int> faces;
+  for (const FaceInfo& face : modelOf(text).info().faceList) ++faces[face.name];
+  EXPECT_EQ(faces, (std::map<std::string, int>{{"𝄞\\t1", 6}, {"𝄞\\t1 (2)", 6}}));
+}
+
 TEST(PartsStep, RefusesWhatIsNotThere) {
   expectError(partsStepText({}, "none"), ErrorCode::badInput, "no part");
   const Sheet over([](double, double) { return 310; });

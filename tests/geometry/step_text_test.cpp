@@ -101,9 +101,22 @@ TEST(StepText, WritesNumbersTheWayTheStandardWants) {
 
 TEST(StepText, NamesKeepQuotesAndForeignLetters) {
   const std::string text = stepText(wave(), "it's \\ Ærø 𝄞").value();
-  EXPECT_NE(text.find("'it''s \\\\ \\X2\\00C6\\X0\\r\\X2\\00F8\\X0\\ \\X2\\D834DD1E\\X0\\'"),
+  EXPECT_NE(text.find("'it''s \\\\ \\X2\\00C6\\X0\\r\\X2\\00F8\\X0\\ \\X4\\0001D11E\\X0\\'"),
+            std::string::npos);
+  // Letters of both kinds beside each other.
+  EXPECT_NE(stepText(wave(), "Æ𝄞𝄢øå")
+                .value()
+                .find("'\\X2\\00C6\\X0\\\\X4\\0001D11E0001D122\\X0\\\\X2\\00F800E5\\X0\\'"),
             std::string::npos);
   EXPECT_TRUE(CadModel::readBytes(text, "name.step"));
+}
+
+TEST(StepText, TellsFacesApartWhoseNamesComeOutTheSame) {
+  const SplineSurface surface = wave();
+  const NamedSurface surfaces[] = {{"a\tb", &surface}, {"a\nb", &surface}, {"a\\tb", &surface}};
+  const std::string text = stepText(surfaces, "three").value();
+  for (const char* name : {"'a\\\\tb'", "'a\\\\nb'", "'a\\\\tb (2)'"})
+    EXPECT_NE(text.find(std::string("=ADVANCED_FACE(") + name), std::string::npos) << name;
 }
 
 TEST(StepText, RefusesWhatIsNoSurface) {

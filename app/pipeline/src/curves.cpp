@@ -10,7 +10,9 @@
 
 #include "block_layout.h"
 #include "bw/core/base/units.h"
+#include "bw/core/text/distinct_names.h"
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/requests.h"
 #include "make_files.h"
 
@@ -46,35 +48,59 @@ Sides sidesOf(const SurfaceGrid& grid) {
 constexpr const char* kNames = "-names";  // after the layer whose curves they are of
 constexpr double kLetters = 12;           // mm, the height of names
 
-/// A text as DXF of any release has it: by their numbers letters other than those of ASCII and what programs
-/// would take for a sign: `%%`, `^` and `\`.
-std::string dxfWords(const std::string& utf8) {
-  std::string text;
-  const auto number = [&](std::uint32_t unit) {
-    text += "\\U+";
-    for (int shift = 12; shift >= 0; shift -= 4) text += "0123456789ABCDEF"[(unit >> shift) & 15];
+constexpr std::size_t kLongest = 255;    // bytes of a text that release 12 reads
+constexpr const char* kLeftOut = "...";  // in the place of what is too long
+
+/// The letters of a UTF-8 text as DXF of any release has them. By their numbers those other than ASCII and
+/// what programs would take for a sign: `%%`, `^` and `\`. A number has four digits; of letters beyond them
+/// programs make one, two or nothing, so that these are told as they are written down.
+std::vector<std::string> dxfLetters(const std::string& utf8) {
+  const auto hexadecimal = [](std::uint32_t code) {
+    std::string text;
+    for (int shift = code > 0xfffff ? 20 : code > 0xffff ? 16 : 12; shift >= 0; shift -= 4)
+      text += "0123456789ABCDEF"[(code >> shift) & 15];
+    return text;
   };
+  std::vector<std::string> letters;
   for (std::size_t i = 0; i < utf8.size();) {
     const auto first = static_cast<unsigned char>(utf8[i]);
     const std::size_t size = first < 0x80 ? 1 : (first >> 5) == 6 ? 2 : (first >> 4) == 14 ? 3 : 4;
-    std::uint32_t letter = size == 1 ? first : first & (0xffu >> (size + 1));
+    std::uint32_t code = size == 1 ? first : first & (0xffu >> (size + 1));
     for (std::size_t k = 1; k < size && i + k < utf8.size(); ++k)
-      letter = letter << 6 | (static_cast<unsigned char>(utf8[i + k]) & 63u);
+      code = code << 6 | (static_cast<unsigned char>(utf8[i + k]) & 63u);
     i += size;
-    if (letter < 0x20 || letter == 0x7f) {
-      text += ' ';
-    } else if (letter == '^' || letter == '\\' || (letter == '%' && utf8.substr(i, 1) == "%")) {
-      number(letter);
-    } else if (letter < 0x7f) {
-      text += char(letter);
-    } else if (letter > 0xffff) {  // a number has four digits
-      number(0xd800 + ((letter - 0x10000) >> 10));
-      number(0xdc00 + ((letter - 0x10000) & 0x3ff));
-    } else {
-      number(letter);
-    }
+    if (code > 0xffff)
+      letters.push_back("(U+" + hexadecimal(code) + ")");
+    else if (code > 0x7e || code == '^' || code == '\\' || (code == '%' && utf8.substr(i, 1) == "%"))
+      letters.push_back("\\U+" + hexadecimal(code));
+    else
+      letters.emplace_back(1, char(code));
   }
-  return text;
+  return letters;
+}
+
+/// A name with what is put behind it as a text of DXF; of one that is too long the middle is left out.
+std::string dxfName(const std::string& name, const std::string& behind) {
+  const std::vector<std::string> letters = dxfLetters(printable(name));
+  std::string text;
+  for (const std::string& letter : letters) text += letter;
+  if (text.size() + behind.size() > kLongest) {
+    const std::size_t room = kLongest - behind.size() - std::string(kLeftOut).size();
+    std::string head, tail;
+    for (auto letter = letters.rbegin(); tail.size() + letter->size() <= room / 2; ++letter)
+      tail.insert(0, *letter);
+    for (auto letter = letters.begin(); head.size() + letter->size() <= room - tail.size(); ++letter)
+      head += *letter;
+    text = head + kLeftOut + tail;
+  }
+  return text + behind;
+}
+
+/// The names of the curves of a layer.
+std::vector<std::string> dxfNames(const CurveLayer& layer) {
+  std::vector<std::string> names;
+  for (const geometry::NamedCurve& curve : layer.curves) names.push_back(curve.name);
+  return distinctNames(names, dxfName);
 }
 
 /// Where the name of a curve stands, and how it is turned about z, degrees.
@@ -189,17 +215,20 @@ std::string dxfText(const std::vector<CurveLayer>& layers) {
       put(0, "SEQEND");
       put(8, layer.name);
     }
-  for (const CurveLayer& layer : layers)
-    for (const geometry::NamedCurve& curve : layer.curves) {
-      if (curve.points.empty()) continue;
-      const NamePlace place = placeOfName(curve.points);
+  for (const CurveLayer& layer : layers) {
+    const std::vector<std::string> names = dxfNames(layer);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Points& points = layer.curves[i].points;
+      if (points.empty()) continue;
+      const NamePlace place = placeOfName(points);
       put(0, "TEXT");
       put(8, layer.name + kNames);
       coordinates(place.at);
       put(40, fixedText(kLetters, 1));
-      put(1, dxfWords(curve.name));
+      put(1, names[i]);
       put(50, fixedText(place.turn, 3));
     }
+  }
   put(0, "ENDSEC");
   put(0, "EOF");
   return text;

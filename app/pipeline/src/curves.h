@@ -26,7 +26,8 @@ std::vector<CurveLayer> curvesOf(const Evaluation& evaluation);
 
 /// The curves as polylines in space, DXF of release 12, mm, each kind in its layer and its colour. Polylines
 /// of that release have no names: these stand as texts at the middles of the curves, in a layer of their own
-/// beside that of the kind ("seam-names").
+/// beside that of the kind ("seam-names"), in ASCII, of at most 255 characters, and each another in its
+/// layer.
 std::string dxfText(const std::vector<CurveLayer>& layers);
 
 }  // namespace bw::pipeline

@@ -27,7 +27,8 @@ struct NamedSurface {
   std::string name;
   const SplineSurface* surface = nullptr;
 };
-/// The same of several surfaces, a shell of one face each, in a part called `name`.
+/// The same of several surfaces, a shell of one face each, in a part called `name`. Names that would come out
+/// as the same are told apart (`distinctNames`).
 Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::string& name);
 
 /// Points along a curve, its name, and that of the layer that it lies on, if any.
@@ -38,7 +39,8 @@ struct NamedCurve {
 };
 /// Curves as STEP AP214 text in mm: of each the cubic B-spline through its points, in as many pieces as it
 /// has corners (turns of more than 20°) and one, as a part of its name, in an assembly of its layer. Points
-/// that lie in one place count once; what is no curve then is left out. The head is that of a surface's.
+/// that lie in one place count once; what is no curve then is left out. Names that would come out as the same
+/// are told apart (`distinctNames`). The head is that of a surface's.
 /// Error `noSolution` where numbers overflow.
 Result<std::string> curvesStepText(std::span<const NamedCurve> curves, const std::string& name);
 

@@ -70,9 +70,10 @@ struct NamedPart {
   const Part* part = nullptr;
 };
 
-/// The parts as solids in STEP AP214 text, mm, each a product of its name; `name` is that of the file. The
-/// header carries no date and no machine, so that equal input gives equal bytes. Errors: no parts, or one of
-/// which nothing is left (`badInput`); `internal` if OpenCASCADE fails.
+/// The parts as solids in STEP AP214 text, mm, each a product of its name; `name` is that of the file. Names
+/// that would come out as the same are told apart (`distinctNames`). The header carries no date and no
+/// machine, so that equal input gives equal bytes. Errors: no parts, or one of which nothing is left
+/// (`badInput`); `internal` if OpenCASCADE fails.
 Result<std::string> partsStepText(std::span<const NamedPart> parts, const std::string& name);
 
 }  // namespace bw::geometry
