@@ -400,6 +400,18 @@ TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
   EXPECT_NEAR(slit->gapMax(), 0.16, 0.01);
   EXPECT_TRUE(test::findingOf<JointGap>(slit->findings));
   EXPECT_NEAR(measureJoints({{"b", "b", &behind}, {"a", "a", &first}}, {}, {})->gapMax(), 0.08, 0.01);
+  // With a kerf they go on behind it, by no more than half of that, and meet in it as before.
+  const Sweep past = rowOf(0, 0, -2.5), early = rowOf(kStations - 1, 0, -2.9),
+              above = rowOf(kStations - 1, 0.4, -2.9);
+  const std::vector<RowKerf> kerfs(2, RowKerf{Kerf{6}});
+  const Result<Joints> passed = measureJoints({{"a", "a", &past}, {"b", "b", &early}}, kerfs, {}, {});
+  ASSERT_TRUE(passed);
+  ASSERT_EQ(passed->joints.size(), 1u);
+  EXPECT_GT(passed->joints[0].places, 90);
+  EXPECT_EQ(passed->joints[0].open, 0);
+  EXPECT_LT(passed->gapMax(), 0.02);
+  EXPECT_LT(toDegrees(passed->kinkMax()), 0.3);
+  EXPECT_NEAR(measureJoints({{"a", "a", &past}, {"b", "b", &above}}, kerfs, {}, {})->gapMax(), 0.4, 0.05);
 }
 
 /// Rows of straight blades in two layers that meet in z = 0: of z = `rise` · travel − 160 + `askew` · x below

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "analytic_surfaces.h"
@@ -69,6 +70,77 @@ TEST(Kerf, AreThoseOfASlantedPlaneThatIsNotAcrossTheirPlanes) {
   for (std::size_t i = 0; i < level.size(); ++i)
     for (const Vector2d& p : (*middle)[i].curve().sample(21))
       EXPECT_NEAR(p.y(), 50.0 * double(i) + 2 * std::sqrt(2.0), 1e-5);
+}
+
+TEST(Kerf, OuterSectionsLieOutsideByWhatTheEdgeThatStandsNeeds) {
+  // z = −y under sections that go on towards −Y: what stands below the middle begins w/2 sin 45° behind it.
+  const test::PlaneSampler slope(Vector3d(0, 1, 1).normalized());
+  const std::vector<Section> level =
+      test::sectionsOf(4, 50, [](int i) { return test::graphCurve(200, [=](double) { return 50.0 * i; }); });
+  const PlaneFamily planes = PlaneFamily::across(test::blockUnder(200, 150, -100, 300), -Vector3d::UnitY());
+  const double half = 3, edge = half / std::sqrt(2.0);
+  // Below, its edge would lie in front of the last plane and behind the first one; above, as far on.
+  for (const int kept : {-1, 1}) {
+    const std::unique_ptr<SurfaceSampler> sampler = slope.clone();
+    const Result<std::vector<Section>> row = carriedOut(level, planes, *sampler, half, kept);
+    ASSERT_TRUE(row);
+    const std::array out = {kept < 0 ? edge : 0, 0.0, 0.0, kept > 0 ? edge : 0};
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      const double by = i == 0 ? -out[i] : out[i];
+      EXPECT_NEAR((*row)[i].travel, level[i].travel + by, 1e-9) << i;
+      EXPECT_NEAR(planes.level((*row)[i].frame.origin), planes.level(level[i].frame.origin) + by, 1e-9) << i;
+    }
+    Findings findings;
+    const Result<std::vector<Section>> middle = movedBy(*row, *sampler, -kept * half, {}, findings);
+    ASSERT_TRUE(middle);
+    EXPECT_TRUE(findings.empty());
+    const std::size_t outer = kept < 0 ? 0 : 3;
+    const Section& section = (*middle)[outer];
+    for (const Vector2d& p : section.curve().sample(11)) {
+      const Vector3d stands = section.frame.toWorld(p) + kept * half * Vector3d(0, 1, 1).normalized();
+      EXPECT_NEAR(stands.y() + stands.z(), 0, 1e-4) << "on the surface";
+      EXPECT_NEAR(stands.y(), level[outer].frame.origin.y(), 1e-4) << "in the plane in which it began";
+    }
+  }
+  const std::unique_ptr<SurfaceSampler> sampler = slope.clone();
+  EXPECT_EQ(carriedOut(level, planes, *sampler, 0, -1)->front().frame.origin, level.front().frame.origin);
+  const test::PlaneSampler flat(Vector3d::UnitZ());
+  const std::unique_ptr<SurfaceSampler> lying = flat.clone();
+  EXPECT_EQ(carriedOut(level, planes, *lying, half, -1)->front().frame.origin, level.front().frame.origin);
+}
+
+TEST(Kerf, OuterSectionsOfPlanesThatTurnAreCarriedWithThem) {
+  TurningPlanes told{{Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitZ(), -Vector3d::UnitY()}, {}};
+  told.turn.spans = {{-20, {0, 0, 0, 0}, {0.1, 0.002, 0, 0}}};
+  told.turn.to = 170;
+  const Result<PlaneFamily> planes = PlaneFamily::turning(test::blockUnder(40, 150, -100, 300), told);
+  ASSERT_TRUE(planes) << planes.error().message;
+  test::PlaneSampler slope(Vector3d(0, 1, 1).normalized());
+  std::vector<Section> level;
+  for (int i = 0; i < 4; ++i) {
+    const Frame frame = planes->at(50.0 * i);
+    // In each plane the line in which it meets the slope: z = −y.
+    level.push_back({i, planes->travel(50.0 * i), frame, {test::graphCurve(40, [&](double x) {
+                       return -frame.toWorld(Vector2d(x, 0)).y();
+                     })}});
+  }
+  const double half = 3;
+  const Result<std::vector<Section>> row = carriedOut(level, *planes, slope, half, -1);
+  ASSERT_TRUE(row);
+  Findings findings;
+  const Result<std::vector<Section>> middle = movedBy(*row, slope, half, {}, findings);
+  ASSERT_TRUE(middle);
+  const Frame first = level.front().frame;
+  double nearest = 1e300;
+  for (const Vector2d& p : middle->front().curve().sample(41)) {
+    const Vector3d stands = middle->front().frame.toWorld(p) - half * Vector3d(0, 1, 1).normalized();
+    EXPECT_NEAR(stands.y() + stands.z(), 0, 1e-4);
+    const double behind = first.normal.dot(stands - first.origin);
+    EXPECT_LT(behind, 0.02) << "no place begins behind the plane";
+    nearest = std::min(nearest, -behind);
+  }
+  EXPECT_LT(nearest, 0.02) << "and no more than that needs";
+  EXPECT_EQ((*row)[3].frame.origin, level[3].frame.origin);
 }
 
 TEST(Kerf, RefusesWhatIsBentMoreTightly) {

@@ -39,8 +39,8 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
 }
 
 Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
-                                const Kerf& kerf, const RunContext& context, Findings& findings,
-                                std::shared_ptr<const KerfField> field) {
+                                const PlaneFamily& planes, const Kerf& kerf, const RunContext& context,
+                                Findings& findings, std::shared_ptr<const KerfField> field) {
   // The side is that of what is cut: elsewhere the surface may lean the other way.
   constexpr int kPlaces = 33;
   SurfaceGrid cut;
@@ -56,10 +56,13 @@ Result<MiddleSections> middleOf(const geometry::Target& target, const std::vecto
   const Result<int> side = sideKept(cut.triangles(), *sampler, kerf.kept);
   if (!side) return tl::unexpected<Error>(side.error());
   const double off = *side * (kerf.back - 0.5 * kerf.width);
+  const double half = 0.5 * (kerf.table.empty() ? kerf.width : widestKerf(kerf.table));
+  const Result<std::vector<Section>> row = carriedOut(sections, planes, *sampler, half, *side);
+  if (!row) return tl::unexpected<Error>(row.error());
   Result<std::vector<Section>> middle =
-      field ? sectionsOn(sections, *movedBy(target.sampler(), std::move(field), kerf, *side),
-                         std::max(kerf.back, 0.5 * widestKerf(kerf.table)), context, findings)
-            : movedBy(sections, *sampler, off, context, findings);
+      field ? sectionsOn(*row, *movedBy(target.sampler(), std::move(field), kerf, *side),
+                         std::max(kerf.back, half), context, findings)
+            : movedBy(*row, *sampler, off, context, findings);
   if (!middle) return tl::unexpected<Error>(middle.error());
   return MiddleSections{std::move(*middle), off};
 }
@@ -173,7 +176,7 @@ Result<void> setOff(const CutWork& work) {
   const bool kept = kerf.table.empty() || followedBefore(work, kerf, inputs);
   return settle(e.middle, kept && work.previous ? &work.previous->middle : nullptr, kerf, inputs,
                 work.seconds.sections, [&](const Kerf& asked, Findings& findings) {
-                  return middleOf(*e.target.value, *cut, asked, work.context, findings);
+                  return middleOf(*e.target.value, *cut, work.e.setup->planes, asked, work.context, findings);
                 });
 }
 
@@ -351,12 +354,12 @@ Result<void> followSpeeds(const CutWork& work, const RowRequest& blades) {
       break;
     }
     used = field;
-    Result<void> ok =
-        anew.settle(&CutEvaluation::middle, Kerf(kerf), Inputs(e.middle.inputs), work.seconds.sections,
-                    [&](const Kerf& asked, Findings& findings) {
-                      findings.clear();
-                      return middleOf(*e.target.value, *cut, asked, work.context, findings, field);
-                    });
+    Result<void> ok = anew.settle(&CutEvaluation::middle, Kerf(kerf), Inputs(e.middle.inputs),
+                                  work.seconds.sections, [&](const Kerf& asked, Findings& findings) {
+                                    findings.clear();
+                                    return middleOf(*e.target.value, *cut, e.setup->planes, asked,
+                                                    work.context, findings, field);
+                                  });
     if (ok) ok = work.unlessStopped();
     if (!ok) return ok;
     const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
@@ -516,9 +519,8 @@ Result<void> cover(const CutWork& work, double& seconds) {
         const SweepAnalysis& analysis = *e.analysis.value;
         const SurfaceGrid cut = longer(analysis.cut, back);
         const std::unique_ptr<SurfaceSampler> surface = e.target.value->sampler();
-        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value,
-                                       {request.tolerance, back, surface.get(),
-                                        analysis.middle.points.empty() ? nullptr : &analysis.middle});
+        Coverage coverage =
+            coverageOf(cut, *e.sweep.value, *e.targetMesh.value, {request.tolerance, back, surface.get()});
         findings = coverage.findings;
         return coverage;
       });

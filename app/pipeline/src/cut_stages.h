@@ -56,11 +56,11 @@ Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& pla
 /// What the design asks for, with the number of stations where that is left to the tolerance.
 Result<SectionRequest> sectionRequest(const CutWork& work);
 /// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand: of one width, or
-/// of those of a `field`. Errors: those of `movedBy`, and `badInput` where it cannot be told on which side of
-/// what is cut foam stays.
+/// of those of a `field`. The outer ones lie as far out as what stands needs (`carriedOut`). Errors: those of
+/// `movedBy`, and `badInput` where it cannot be told on which side of what is cut foam stays.
 Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
-                                const Kerf& kerf, const RunContext& context, Findings& findings,
-                                std::shared_ptr<const KerfField> field = nullptr);
+                                const PlaneFamily& planes, const Kerf& kerf, const RunContext& context,
+                                Findings& findings, std::shared_ptr<const KerfField> field = nullptr);
 /// What the middle of the blade is held against; its kerf is that of the `field`, if there is one.
 std::unique_ptr<SurfaceSampler> middleSampler(const geometry::Target& target, const MiddleSections& middle,
                                               const Kerf& kerf, std::shared_ptr<const KerfField> field);

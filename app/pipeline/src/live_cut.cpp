@@ -95,7 +95,8 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   MiddleSections middle;
   const Kerf& kerf = asked_->kerf;
   if (kerf != Kerf()) {
-    Result<MiddleSections> found = middleOf(*order.target, *sections_, kerf, context, unsaid, melted_);
+    Result<MiddleSections> found =
+        middleOf(*order.target, *sections_, planes, kerf, context, unsaid, melted_);
     if (!found) return false;
     middle = std::move(*found);
     sections = std::make_shared<const std::vector<Section>>(std::move(middle.sections));

@@ -4,6 +4,7 @@
 #include "bw/core/shape/moved_sections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -27,8 +28,9 @@ constexpr int kSpan = 4;         // places of each span of its spline
 constexpr int kSteps = 12;       // of Newton's method
 constexpr double kThere = 1e-5;  // mm
 constexpr double kAlong = 0.02;  // of a unit normal: less of it in the plane, and the surface runs along that
-constexpr int kChunks = 16;      // of the sections, each with a sampler of its own
-constexpr double kFarthest = 50;  // times the reach, that a place is moved within its plane
+constexpr double kLeastOut = 1e-3;  // mm: nothing of the cut shows it
+constexpr int kChunks = 16;         // of the sections, each with a sampler of its own
+constexpr double kFarthest = 50;    // times the reach, that a place is moved within its plane
 
 tl::unexpected<Error> cannot(const std::string& why, double value, double reach) {
   return fail(ErrorCode::badInput,
@@ -83,7 +85,57 @@ Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceS
   return PlanarCurve::bspline(kDegree, spline.knots(), std::move(places));
 }
 
+/// How far a row has to go on before its first section (`way` −1) or behind its last one (1) for what stands
+/// to begin in the plane of that, as levels of the family.
+Result<double> wayOut(const Section& section, const PlaneFamily& planes, SurfaceSampler& surface, double half,
+                      int kept, int way) {
+  const double level = planes.level(section.frame.origin);
+  double most = 0;
+  std::optional<SurfaceSampler::Foot> seed;
+  for (const Vector2d& local : section.curve().sample(kPlaces + 1)) {
+    const Vector3d place = section.frame.toWorld(local);
+    const Result<SurfaceSampler::Foot> foot = surface.closest(place, seed ? &*seed : nullptr);
+    if (!foot) return tl::unexpected<Error>(foot.error());
+    seed = *foot;
+    const double back = -way * half * kept * foot->normal.dot(section.frame.normal);
+    most = std::max(most, back / std::max(planes.speed(level, place), kAlong));
+  }
+  return most;
+}
+
+/// A frame that is carried with the planes of a family from one level to another one.
+Frame carried(Frame frame, const PlaneFamily& planes, double from, double to) {
+  if (!planes.turns()) {
+    frame.origin += (to - from) * planes.direction();
+    return frame;
+  }
+  const Frame before = planes.at(from), after = planes.at(to);
+  const auto turned = [&](const Vector3d& v) -> Vector3d {
+    return v.dot(before.x) * after.x + v.dot(before.y) * after.y + v.dot(before.normal) * after.normal;
+  };
+  return {after.origin + turned(frame.origin - before.origin), turned(frame.x), turned(frame.y),
+          turned(frame.normal)};
+}
+
 }  // namespace
+
+Result<std::vector<Section>> carriedOut(std::vector<Section> sections, const PlaneFamily& planes,
+                                        SurfaceSampler& surface, double half, int kept) {
+  const auto followed = [](const Section& section) { return section.chosen >= 0; };
+  const auto first = std::ranges::find_if(sections, followed);
+  const auto last = std::find_if(sections.rbegin(), sections.rend(), followed);
+  if (half == 0 || first == sections.end() || &*first == &*last) return sections;
+  const std::array<std::pair<Section*, int>, 2> ends = {{{&*first, -1}, {&*last, 1}}};
+  for (const auto& [section, way] : ends) {
+    const Result<double> out = wayOut(*section, planes, surface, half, kept, way);
+    if (!out) return tl::unexpected<Error>(out.error());
+    if (*out < kLeastOut) continue;
+    const double level = planes.level(section->frame.origin);
+    section->frame = carried(section->frame, planes, level, level + way * *out);
+    section->travel += way * *out;
+  }
+  return sections;
+}
 
 Result<std::vector<Section>> movedBy(const std::vector<Section>& sections, const SurfaceSampler& surface,
                                      double off, const RunContext& context, Findings& findings) {

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "sweep/surface_rows.h"
@@ -41,66 +40,6 @@ Uncovered causeOf(const Coverage& coverage, const Sweep& sweep, bool off) {
   return cause;
 }
 
-/// What a blade that melts a kerf leaves beside its outer rows, where it is led straight in and out: its
-/// middle melts half a kerf around itself, so that the foam stands that far from all that the middle sweeps,
-/// leads included (docs/mathematics.md, coverage).
-class Leads {
- public:
-  /// `cut` stands beside `middle`, and may have as many columns more at either end.
-  Leads(const SurfaceGrid& cut, const SurfaceGrid& middle, const PlaneFamily& planes, double back)
-      : cut_(cut),
-        middle_(middle),
-        rows_(middle, planes),
-        direction_(planes.direction()),
-        back_(back),
-        more_((cut.columns - middle.columns) / 2) {
-    for (const int row : {0, middle.rows - 1})
-      for (int c = 0; c < middle.columns; ++c) widest_ = std::max(widest_, towardsKept(row, c).norm());
-  }
-
-  /// How far the edge of what stands may lie inside of the outer rows, mm.
-  double widest() const { return widest_; }
-
-  /// How far a place of the target lies from where what stands there has it, mm.
-  double off(const Vector3d& place) const {
-    const int last = middle_.rows - 1;
-    const double level = direction_.dot(place);
-    const bool front = level - levelOf(0) < levelOf(last) - level;
-    const int row = front ? 0 : last;
-    // In the lead each plane has the outer row.
-    const double outside = front ? levelOf(0) - level : level - levelOf(last);
-    const Vector3d own = place + (outside > 0 ? (front ? outside : -outside) : 0) * direction_;
-    double nearest = 1e300;
-    int column = 0;
-    for (int c = 0; c + 1 < middle_.columns; ++c) {
-      const Vector3d &a = middle_.at(row, c), way = middle_.at(row, c + 1) - a;
-      const double length = way.squaredNorm();
-      const double part = length > 0 ? std::clamp(way.dot(own - a) / length, 0.0, 1.0) : 0.0;
-      const double distance = (own - a - part * way).norm();
-      if (distance >= nearest) continue;
-      nearest = distance;
-      column = part < 0.5 ? c : c + 1;
-    }
-    const Vector3d kept = towardsKept(row, column);
-    const double side = kept.dot(own - middle_.at(row, column)) < 0 ? -1 : 1;
-    if (outside <= 0) nearest = rows_.distance(place, nearest);
-    return std::abs(side * nearest - (kept.norm() - back_));
-  }
-
- private:
-  double levelOf(int row) const { return direction_.dot(middle_.at(row, 0)); }
-  /// From the middle of the blade to what stands.
-  Vector3d towardsKept(int row, int column) const {
-    return cut_.at(row, column + more_) - middle_.at(row, column);
-  }
-
-  const SurfaceGrid &cut_, &middle_;
-  sweep::SurfaceRows rows_;
-  Vector3d direction_;
-  double back_, widest_ = 0;
-  int more_;
-};
-
 }  // namespace
 
 Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
@@ -109,18 +48,11 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
   coverage.limit = std::max(request.tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
   const sweep::SurfaceRows rows(cut, sweep.planes);
-  std::optional<Leads> leads;
-  // Where planes turn leads go on in ways of their own.
-  if (request.middle && request.middle->rows == cut.rows && !sweep.planes.turns())
-    leads.emplace(cut, *request.middle, sweep.planes, request.back);
   bool lies = false;  // off what is cut, where it is farthest, not beyond its border
   const auto see = [&](const Vector3d& place, double area) {
     if (!within(sweep.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
-    double beyond = std::hypot(seen.across, seen.beside);
-    if (leads && beyond > coverage.limit && seen.beside <= coverage.limit &&
-        seen.across <= leads->widest() + coverage.limit && leads->off(place) <= coverage.limit)
-      beyond = seen.beside;
+    const double beyond = std::hypot(seen.across, seen.beside);
     // Along the plane it is farther from a surface that rises across it than in truth.
     double off = 0;
     const double may = coverage.limit + kChords + std::abs(request.back);

@@ -29,13 +29,14 @@ using sweep::RowBlades;
 using sweep::RowBoundary;
 using sweep::Through;
 
-constexpr double kParallel = 1e-6;  // sine of an angle
-constexpr double kOverlap = 1;      // mm that two faces have in common, at least
-constexpr double kRounding = 0.01;  // mm: a gap that is computed from turned corners is no exact number
-constexpr int kAcross = 101;        // places on a cut that meets the one of the next row
-constexpr double kStep = 1;         // mm of travel, over which the slope of a surface is taken
-constexpr double kTogether = 10;    // mm between places of two surfaces that belong together
-constexpr double kBeyond = 0.5;     // of a chord: past the end of a line there is nothing to meet
+constexpr double kParallel = 1e-6;   // sine of an angle
+constexpr double kOverlap = 1;       // mm that two faces have in common, at least
+constexpr double kRounding = 0.01;   // mm: a gap that is computed from turned corners is no exact number
+constexpr double kSamePlane = 1e-6;  // mm
+constexpr int kAcross = 101;         // places on a cut that meets the one of the next row
+constexpr double kStep = 1;          // mm of travel, over which the slope of a surface is taken
+constexpr double kTogether = 10;     // mm between places of two surfaces that belong together
+constexpr double kBeyond = 0.5;      // of a chord: past the end of a line there is nothing to meet
 
 bool sameFamily(const PlaneFamily& a, const PlaneFamily& b) {
   if (a.turns() || b.turns()) return a.turn == b.turn && a.frame == b.frame;
@@ -153,7 +154,8 @@ Result<void> alongside(Pair& pair, std::array<Loose, 2>& loose, const RunContext
   RowBlades mine(pair.mine.sweep), theirs(pair.theirs.sweep);
   const double from = std::max(mine.first(), theirs.first()), to = std::min(mine.last(), theirs.last());
   for (const auto& known : levelsOf(pair.mine.sweep, pair.theirs.sweep, from, to)) {
-    const double level = known.first;
+    // Both ends of both rows are in one plane, but for what keeps them off a border or a kerf leads them out.
+    const double level = std::min(std::max(known.first, from), to);
     const bool isStation = known.second;
     if (context.stopped()) return stoppedError();
     const Vector3d across = pair.mine.sweep.planes.at(level).normal,
@@ -257,13 +259,20 @@ Result<void> beside(Pair& pair, const RunContext& context) {
   return {};
 }
 
-/// The cut at the end of a row, as far as the boundary. `front`: where the row begins, else where it ends.
+/// The cut at the end of a row, at the boundary. `front`: where the row begins, else where it ends.
 /// Its blade goes on as it goes there.
 std::optional<sweep::CrossingLine> endOf(const RowBoundary& row, bool front, double level) {
   const Sweep& sweep = row.sweep;
   RowBlades blades(sweep);
-  const BladePose& end = front ? sweep.poses.front() : sweep.poses.back();
-  const double own = levelOf(sweep, end);
+  BladePose end = front ? sweep.poses.front() : sweep.poses.back();
+  double own = levelOf(sweep, end);
+  // With a kerf it may go on behind it.
+  if (front ? own < level - kSamePlane : own > level + kSamePlane) {
+    std::optional<BladePose> there = blades.at(level);
+    if (!there) return {};
+    end = std::move(*there);
+    own = level;
+  }
   const std::optional<BladePose> inner = blades.at(front ? own + kStep : own - kStep);
   if (!inner) return {};
   const double step = levelOf(sweep, *inner) - own;
@@ -308,10 +317,12 @@ void inLine(Pair& pair) {
   const auto ends = [&](const Sweep& sweep, bool front) {
     return levelOf(sweep, front ? sweep.poses.front() : sweep.poses.back());
   };
-  const auto reaches = [&](const Sweep& sweep, bool front) {
-    return std::abs(ends(sweep, front) - level) <= 0.5 * boundary.apart + sweep::kNearBoundary;
+  const auto reaches = [&](const RowBoundary& row, bool front) {
+    const double past = (front ? level - ends(row.sweep, front) : ends(row.sweep, front) - level),
+                 slack = 0.5 * boundary.apart + sweep::kNearBoundary;
+    return past >= -slack && past <= slack + 0.5 * row.kerf.widest();
   };
-  const bool one = reaches(pair.mine.sweep, !forwards), other = reaches(pair.theirs.sweep, forwards);
+  const bool one = reaches(pair.mine, !forwards), other = reaches(pair.theirs, forwards);
   if (!one && !other) return;
   const std::optional<sweep::CrossingLine> x = one ? endOf(pair.mine, !forwards, level) : std::nullopt,
                                            y = other ? endOf(pair.theirs, forwards, level) : std::nullopt;

@@ -8,6 +8,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
 #include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section.h"
 
 namespace bw {
@@ -26,5 +27,14 @@ namespace bw {
 [[nodiscard]] Result<std::vector<Section>> sectionsOn(const std::vector<Section>& sections,
                                                       const SurfaceSampler& surface, double reach,
                                                       const RunContext& context, Findings& findings);
+
+/// The sections of a surface, the first and the last of which are carried out along the travel before they
+/// are moved, where that has what stands begin behind them: `half` mm (≥ 0) from the middle of the blade,
+/// along the normals of the surface (`kept` 1) or against them (−1). From there its edge comes to the planes
+/// in which they were, all along the blade. They keep their curves, which `movedBy` brings to where the
+/// surface goes on beyond them. Errors: those of the sampler.
+[[nodiscard]] Result<std::vector<Section>> carriedOut(std::vector<Section> sections,
+                                                      const PlaneFamily& planes, SurfaceSampler& surface,
+                                                      double half, int kept);
 
 }  // namespace bw

@@ -30,10 +30,6 @@ struct CoverageRequest {
   /// The target itself, where its triangles lie off it by so much that it matters: a place that they have off
   /// the cut is taken where this has it. Null where it is its triangles.
   SurfaceSampler* surface = nullptr;
-  /// What the middle of the blade sweeps, of the same rows, where a kerf parts it from the cut surface; else
-  /// null. Beside the outer rows, as far as half a kerf may move their edges, what the leads leave counts: a
-  /// place that lies within the limit of that is covered.
-  const SurfaceGrid* middle = nullptr;
 };
 
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
