@@ -133,6 +133,7 @@ TEST(KerfOverSpeed, MapAndSkinAreOfWhatStands) {
   const std::vector<double>& told = result.analysis.cut.field("deviation")->values;
   for (std::size_t k = 0; k < told.size(); k += 53) {
     const Vector3d& p = result.analysis.cut.points[k];
+    if (std::isnan(told[k])) continue;  // beside the block
     EXPECT_NEAR(told[k], sampler->offset(p, *sampler->closest(p, nullptr)), 3e-3) << k;
   }
   // The skin that is written goes through them.
@@ -159,7 +160,10 @@ void expectSame(const Evaluation& a, const Evaluation& b) {
     EXPECT_EQ(one.sweep.poses[i].cutPoints(41), other.sweep.poses[i].cutPoints(41)) << i;
   EXPECT_EQ(one.analysis.cut.points, other.analysis.cut.points);
   for (std::size_t k = 0; k < one.analysis.cut.fields.size(); ++k)
-    EXPECT_EQ(one.analysis.cut.fields[k].values, other.analysis.cut.fields[k].values);
+    EXPECT_TRUE(std::ranges::equal(
+        one.analysis.cut.fields[k].values, other.analysis.cut.fields[k].values,
+        [](double own, double its) { return own == its || (std::isnan(own) && std::isnan(its)); }))
+        << one.analysis.cut.fields[k].name;
   EXPECT_EQ(one.analysis.surface.poles, other.analysis.surface.poles);
   ASSERT_EQ(one.motion.instants.size(), other.motion.instants.size());
   for (std::size_t i = 0; i < one.motion.instants.size(); ++i) {

@@ -168,9 +168,9 @@ TEST_F(ObjectTreeTest, ACreaseIsSeenWithWhatItIsTheEdgeOf) {
         "Pull", [&](Design& changed) { changed = next; }, 7, live);
   };
   const auto sketched = [&](double by) {
-    const pipeline::Sketch* before = bench().sketch();
+    const auto before = linesNow();
     pull(by, true);
-    return QTest::qWaitFor([&] { return bench().sketch() && bench().sketch() != before; }, kPatience);
+    return QTest::qWaitFor([&] { return bench().sketch() && linesNow() != before; }, kPatience);
   };
   ASSERT_TRUE(sketched(2));
   const auto first = linesNow();

@@ -447,7 +447,8 @@ TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
   ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", given, "--out", folder / "out"}).status,
             0);
   const std::string job = folder.write(
-      "open.json", R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": "auto"}})");
+      "open.json",
+      R"({"clearance": 40, "stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": "auto"}})");
   ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "open"}).status,
             0);
   json report = json::parse(slurp(folder / "open/report.json"));

@@ -23,7 +23,8 @@ namespace {
 constexpr double kMostCut = 0.06;  // mm that a corner in the foam is cut by, at most
 
 /// How far, in parts of its zone, a corner is passed: where the speed goes evenly from v to w over the time
-/// that the faster end takes for twice the zone, its place is |w − v| / 4 of half of that time off.
+/// that the faster end takes for twice the zone, its place is |w − v| / 4 of half of that time off, of which
+/// what lies along the way does not count.
 double cornerCut(const std::vector<MotionInstant>& instants, std::size_t i) {
   const MotionInstant &before = instants[i - 1], &at = instants[i], &after = instants[i + 1];
   double fastest = 0, turn = 0;
@@ -33,7 +34,8 @@ double cornerCut(const std::vector<MotionInstant>& instants, std::size_t i) {
                           leaving =
                               (after.poses[end].position - at.poses[end].position) / (after.time - at.time);
     fastest = std::max({fastest, arriving.norm(), leaving.norm()});
-    turn = std::max(turn, (leaving - arriving).norm());
+    const Eigen::Vector3d change = leaving - arriving, along = (arriving + leaving).normalized();
+    turn = std::max(turn, (change - change.dot(along) * along).norm());
   }
   return fastest > 0 ? 0.25 * turn / fastest : 0;
 }

@@ -20,7 +20,8 @@ namespace bw::sweep {
 /// go on there, since the surface between two stations needs them (docs/mathematics.md, sections).
 class InFoam {
  public:
-  explicit InFoam(const Box& block) : block_(block) {}
+  /// `beside`: mm that what stands lies beside the places that are asked for, those of a blade with a kerf.
+  explicit InFoam(const Box& block, double beside = 0) : block_(block), slack_(kSlack + beside) {}
   explicit InFoam(const Sweep& sweep) : InFoam(sweep.block) {
     slanted_ = !sweep.planes.turns() && areOblique(sweep.planes, block_);
     double widest = 0;
@@ -37,7 +38,7 @@ class InFoam {
 
   bool holds(const Eigen::Vector3d& place) const {
     const Eigen::Vector3d local = block_.frame.toLocal(place);
-    return (local.array() >= -kSlack).all() && ((local - block_.size).array() <= kSlack).all();
+    return (local.array() >= -slack_).all() && ((local - block_.size).array() <= slack_).all();
   }
   /// Whether it holds each of some places.
   std::vector<char> heldOf(const std::vector<Eigen::Vector3d>& places) const {
@@ -65,6 +66,7 @@ class InFoam {
   static constexpr double kSlack = 0.05;  ///< mm that count as in the block
 
   Box block_;
+  double slack_ = kSlack;
   Eigen::Vector3d way_ = Eigen::Vector3d::Zero();
   bool slanted_ = false;
 };

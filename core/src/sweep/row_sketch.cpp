@@ -88,7 +88,9 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
                 "stations", double(n), double(others_.size()));
   const Blade& blade = row.request.blade;
   const double limit = blade.maxCurvature(), stressAtLimit = blade.stress(limit);
-  const sweep::InFoam foam(row.block);
+  const sweep::InFoam foam(row);
+  // Other rows leave it with a kerf alone, by less than it is wide.
+  const bool goesBeside = foam.slanted() || row.planes.turns();
   std::vector<double> travel;
   for (const BladePose& pose : poses) travel.push_back(pose.travel);
 
@@ -140,8 +142,9 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
       if (cuts) sketch.deviation[i] = std::max(sketch.deviation[i], std::abs(sample.deviation));
       held[k] = foam.holds(p);
       for (const auto& [field, map] : maps)
-        cut.fields[field].values[at] =
-            cuts || map->ofBlade ? map->value(sample) : std::numeric_limits<double>::quiet_NaN();
+        cut.fields[field].values[at] = cuts || !goesBeside || map->ofBlade
+                                           ? map->value(sample)
+                                           : std::numeric_limits<double>::quiet_NaN();
     }
     double margin = 1;
     if (pose.heavy) {

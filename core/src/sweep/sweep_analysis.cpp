@@ -141,7 +141,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
   }
   const double stressAtLimit = sweep.request.blade.stress(sweep.request.blade.maxCurvature());
-  const sweep::InFoam foam(sweep.block);
+  const double widest = kerf.table.empty() ? kerf.width : widestKerf(kerf.table);
+  const sweep::InFoam foam(sweep.block, std::max(0.5 * widest, std::abs(kerf.back)));
   std::vector<char> counts(cut.points.size());  // whether it is of the cut of the block
   std::mutex errorMutex;
   std::optional<Error> firstError;
