@@ -116,7 +116,8 @@ bool LaidOutFirst::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::UpdateRequest:
       QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
       break;
-    default: break;
+    default:
+      break;
   }
   return QObject::eventFilter(watched, event);
 }
