@@ -13,9 +13,10 @@ namespace bw::sweep {
 
 namespace {
 
-/// mm by which a way may fall short of what is asked for, and by which it must come nearer than a station
-/// beside it that falls short as well.
+/// mm by which a way may fall short of what is asked for.
 constexpr double kNearer = 0.1;
+/// mm by which it must come nearer than a station beside it that falls short as well, and is told.
+constexpr double kWorse = 2;
 constexpr int kBits = 26;  // of the place on a way
 
 }  // namespace
@@ -59,7 +60,7 @@ void GripWatch::end(double stationDistance) {
   double least = -kNearer;
   for (const double station : {stationDistance_, stationDistance})
     if (const double over = station - sweep_.request.clearance; over < 0)
-      least = std::min(least, over - kNearer);
+      least = std::min(least, over - kWorse);
   // Into the block is another thing than near to it.
   const bool entered = now_.block < -kNearer && stationDistance_ >= 0 && stationDistance >= 0;
   if (!(now_.distance < least) && !entered) return;

@@ -24,8 +24,9 @@ class GripWatch {
   /// grips may come nearer, but not into the block.
   void go(const std::array<Eigen::Vector3d, 2>& grips, int station, bool cuts);
   /// One finding for the way in, one for the worst place between stations, one for the way out, where each
-  /// comes nearer than it may, and nearer than the stations beside it: an error inside the block, else a
-  /// warning. The range of stations is that on both sides of the way, -1 for none, and counts none of them.
+  /// comes nearer than it may, and clearly nearer than stations beside it that do so too: an error inside the
+  /// block, else a warning. The range of stations is that on both sides of the way, -1 for none, and counts
+  /// none of them.
   [[nodiscard]] Findings told();
 
  private:
