@@ -113,7 +113,6 @@ bool LaidOutFirst::eventFilter(QObject* watched, QEvent* event) {
         if (QWindow* handle = window->windowHandle()) handle->installEventFilter(this);
       break;
     case QEvent::Expose:
-    case QEvent::UpdateRequest:
       QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
       break;
     default:

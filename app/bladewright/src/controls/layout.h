@@ -49,8 +49,8 @@ class SidePanel : public QScrollArea {
   int leastWidth_;
 };
 
-/// Before a window draws itself, whatever asks for it (a bar that takes a value, the display that uncovers a
-/// part), its texts are laid out: none is seen in the place of the one before it.
+/// Before a window draws itself because the display uncovers it, its texts are laid out: none is seen in the
+/// place of the one before it.
 class LaidOutFirst : public QObject {
  public:
   explicit LaidOutFirst(QWidget* window);

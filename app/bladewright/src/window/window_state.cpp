@@ -288,7 +288,10 @@ void MainWindow::refreshState() {
   QString word = bench_.runner().step();
   if (!word.isEmpty()) word[0] = word[0].toUpper();
   jobName_->setText(word.isEmpty() ? tr("Computing") : word);
+  // A bar that takes a value draws the whole window at once, with texts that are not laid out yet.
+  progress_->setUpdatesEnabled(false);
   progress_->setValue(int(1000 * bench_.runner().progress()));
+  progress_->setUpdatesEnabled(true);
   for (QWidget* widget :
        {static_cast<QWidget*>(jobName_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)})
     widget->setVisible(shown);
