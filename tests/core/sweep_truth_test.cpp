@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/motion/motion.h"
 #include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/station_times.h"
@@ -319,6 +321,66 @@ TEST(Leads, TellOfGripsThatComeIntoTheBlock) {
     EXPECT_EQ(told->where.stations->count, 0);
     EXPECT_EQ(nearest < 0, std::abs(turned) == 20);
   }
+}
+
+TEST(Leads, TellOfAGripInTheBlockInTheAirToo) {
+  // Where the stations keep the clearance, and where none does, which is told of them.
+  for (const double clearance : {20.0, 60.0}) {
+    test::RowSettings settings;
+    settings.clearance = clearance;
+    settings.blade.length = 560;
+    Findings findings;
+    const Box block{Frame{{-kHalf, -81, -100},
+                          Eigen::Vector3d::UnitX(),
+                          Eigen::Vector3d::UnitY(),
+                          Eigen::Vector3d::UnitZ()},
+                    {2 * kHalf, 82, 300}};
+    const Result<Sweep> sweep =
+        buildSweep(test::sectionsOf(9, 10, [](int) { return test::graphCurve(kHalf - 10, kDome); }), settings,
+                   block, PlaneFamily::across(block, -Eigen::Vector3d::UnitY()), {}, findings);
+    ASSERT_TRUE(sweep);
+    const auto toldWith = [&](double aside) {
+      // The blade comes from beside: past the block, into it, or straight.
+      EntryExit ends;
+      ends.entry.poses = {sweep->poses.front()};
+      ends.entry.poses[0].frame.origin += Eigen::Vector3d(aside, 0, 0);
+      Findings told;
+      EXPECT_TRUE(buildMotion(*sweep, ends, sweep->poses, settings, told));
+      const Finding* found = test::findingOf<GripTooNear>(told);
+      return found ? std::optional(*found) : std::nullopt;
+    };
+    EXPECT_FALSE(toldWith(0));
+    const std::optional<Finding> in = toldWith(150);
+    ASSERT_TRUE(in);
+    EXPECT_EQ(in->severity, Severity::error);
+    EXPECT_LT(std::get<GripTooNear>(in->cause).distance, 0);
+    EXPECT_EQ(in->where.stations->first, -1);
+  }
+}
+
+TEST(Leads, CornersAtStationsAreCutByLittle) {
+  // Both ends come flat and rise at 60°, which a zone of 1 mm cuts by a quarter of a millimetre.
+  const auto motion = [](double rise, double seconds) {
+    std::vector<MotionInstant> instants;
+    for (const auto& [time, y, z] : {std::array{0.0, -20.0, 0.0},
+                                     {1.0, 0.0, 0.0},
+                                     {1.0 + seconds, 20 * std::cos(rise), 20 * std::sin(rise)}}) {
+      MotionInstant& at = instants.emplace_back();
+      at.time = time;
+      at.station = time > 0 ? int(instants.size()) - 2 : -1;
+      at.poses.resize(2);
+      for (std::size_t end = 0; end < 2; ++end) at.poses[end].position = {600.0 * double(end), y, z};
+    }
+    return instants;
+  };
+  EXPECT_EQ(plannedZone(motion(0, 1), 1), 1);
+  EXPECT_EQ(plannedZone(motion(0, 3), 1), 1) << "it slows down on its way";
+  EXPECT_EQ(plannedZone(motion(fromDegrees(10), 1), 1), 1);
+  EXPECT_EQ(plannedZone(motion(fromDegrees(30), 1), 1), 0.3);
+  EXPECT_EQ(plannedZone(motion(fromDegrees(60), 1), 1), 0.05);
+  std::vector<MotionInstant> air = motion(fromDegrees(60), 1);
+  air[1].station = -1;
+  EXPECT_EQ(plannedZone(air, 1), 1);
 }
 
 struct OnSphere {

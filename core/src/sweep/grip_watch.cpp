@@ -23,7 +23,6 @@ constexpr int kBits = 26;  // of the place on a way
 
 void GripWatch::go(const std::array<Eigen::Vector3d, 2>& grips, int station, bool cuts) {
   const Box& block = sweep_.block;
-  const double asked = cuts ? sweep_.request.clearance : 0;
   double here = std::numeric_limits<double>::infinity();
   for (std::size_t grip = 0; grip < grips.size(); ++grip) {
     const Eigen::Vector3d& to = grips[grip];
@@ -33,7 +32,7 @@ void GripWatch::go(const std::array<Eigen::Vector3d, 2>& grips, int station, boo
     const Eigen::Vector3d& from = (*before_)[grip];
     const double first = boxDistance(block, from), way = (to - from).norm();
     // No place between is nearer than this.
-    if (0.5 * (first + last - way) - asked >= now_.distance) continue;
+    if (0.5 * (first + last - way) >= now_.distance) continue;
     // Signed, the distance from a convex body is a convex function.
     const auto at = [&](double t) { return boxDistance(block, from + t * (to - from)); };
     auto [t, least] = boost::math::tools::brent_find_minima(at, 0.0, 1.0, kBits);
@@ -42,11 +41,9 @@ void GripWatch::go(const std::array<Eigen::Vector3d, 2>& grips, int station, boo
         t = end;
         least = at(end);
       }
-    if (least - asked < now_.distance) {
-      now_.distance = least - asked;
-      now_.block = least;
-      now_.place = from + t * (to - from);
-    }
+    if (least >= now_.distance || (!cuts && least >= 0)) continue;
+    now_.distance = least;
+    now_.place = from + t * (to - from);
   }
   before_ = grips;
   if (station < 0) return;
@@ -57,12 +54,12 @@ void GripWatch::go(const std::array<Eigen::Vector3d, 2>& grips, int station, boo
 }
 
 void GripWatch::end(double stationDistance) {
-  double least = -kNearer;
+  const double clearance = sweep_.request.clearance;
+  double least = clearance - kNearer;
   for (const double station : {stationDistance_, stationDistance})
-    if (const double over = station - sweep_.request.clearance; over < 0)
-      least = std::min(least, over - kWorse);
+    if (station < clearance) least = std::min(least, station - kWorse);
   // Into the block is another thing than near to it.
-  const bool entered = now_.block < -kNearer && stationDistance_ >= 0 && stationDistance >= 0;
+  const bool entered = now_.distance < -kNearer && stationDistance_ >= 0 && stationDistance >= 0;
   if (!(now_.distance < least) && !entered) return;
   std::optional<Way>& worst = now_.from < 0 ? in_ : now_.to < 0 ? out_ : between_;
   if (!worst || now_.distance < worst->distance) worst = now_;
@@ -80,8 +77,8 @@ Findings GripWatch::told() {
         TurnDirection{}};
     if (way->from >= 0 && way->to >= 0) remedies = twiceAsMany(sweep_, clearance);
     findings.push_back(
-        {way->block < 0 ? Severity::error : Severity::warning,
-         GripTooNear{way->block, clearance},
+        {way->distance < 0 ? Severity::error : Severity::warning,
+         GripTooNear{way->distance, clearance},
          {StationRange{way->from, way->to, way->from < 0 ? way->to : way->from, 0}, way->place},
          std::move(remedies)});
   }

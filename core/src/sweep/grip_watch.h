@@ -32,8 +32,7 @@ class GripWatch {
  private:
   struct Way {
     int from = -1, to = -1;
-    double distance = std::numeric_limits<double>::infinity();  ///< mm, less what is asked for there
-    double block = 0;                                           ///< mm from the block, negative inside
+    double distance = std::numeric_limits<double>::infinity();  ///< mm from the block, negative inside
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
   };
   void end(double stationDistance);
