@@ -532,8 +532,9 @@ TEST(PartsStep, TellsPartsApartWhoseNamesComeOutTheSame) {
   const std::string text = partsStepText(parts, "foam").value();
   EXPECT_NE(text.find("PRODUCT('\\X4\\0001D11E\\X0\\\\\\t1',"), std::string::npos);
   EXPECT_NE(text.find("PRODUCT('\\X4\\0001D11E\\X0\\\\\\t1 (2)',"), std::string::npos);
+  const CadModel model = modelOf(text);
   std::map<std::string, int> faces;
-  for (const FaceInfo& face : modelOf(text).info().faceList) ++faces[face.name];
+  for (const FaceInfo& face : model.info().faceList) ++faces[face.name];
   EXPECT_EQ(faces, (std::map<std::string, int>{{"𝄞\\t1", 6}, {"𝄞\\t1 (2)", 6}}));
 }
 

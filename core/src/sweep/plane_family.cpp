@@ -3,6 +3,7 @@
 
 #include "bw/core/sweep/plane_family.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>

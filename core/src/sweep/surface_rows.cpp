@@ -3,6 +3,7 @@
 
 #include "sweep/surface_rows.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
