@@ -7,25 +7,12 @@
 #include <algorithm>
 #include <set>
 
-#include "bw/pipeline/example_design.h"
+#include "swinging.h"
 #include "window_fixture.h"
 #include "workbench/joint_stations.h"
 
 namespace bw::app {
 namespace {
-
-/// A surface that swings along the travel, the more the farther right: there the blade goes up and down more
-/// than three times as fast as at its left end.
-Design swinging() {
-  Design design = pipeline::exampleDesign("ripple-along").value();
-  design.variables.clear();
-  design.bindings.clear();
-  std::get<FormulaSurface>(design.source().surface->shape).formula = "250 + 130*(x/600)*sin(2*pi*y/200)";
-  design.process.weight = false;
-  design.cut().sections.stations = 49;
-  design.output.programs.clear();
-  return resolved(design).value();
-}
 
 class MessageButtons : public WindowTest {
  protected:
@@ -127,7 +114,7 @@ constexpr const char* kUneven = "the slowest point of the blade moves at";
 TEST_F(MessageButtons, UnevenSpeedHasABlockThatIsSplit) {
   ASSERT_TRUE(window().openExample("ripple-along"));
   bench().editDesign("Prepare", [](Design& design) {
-    design = swinging();
+    design = test::swinging();
     design.name = "Swinging";
   });
   ASSERT_TRUE(settle());

@@ -17,24 +17,12 @@
 #include "finding_of.h"
 #include "read_design.h"
 #include "revolved.h"
+#include "swinging.h"
 
 namespace bw::pipeline {
 namespace {
 
 using test::causeOf;
-
-/// A surface that swings along the travel, the more the farther right: there the blade goes up and down more
-/// than three times as fast as at its left end.
-Design swinging() {
-  Design design = exampleDesign("ripple-along").value();
-  design.variables.clear();
-  design.bindings.clear();
-  std::get<FormulaSurface>(design.source().surface->shape).formula = "250 + 130*(x/600)*sin(2*pi*y/200)";
-  design.process.weight = false;
-  design.cut().sections.stations = 49;
-  design.output.programs.clear();
-  return resolved(design).value();
-}
 
 Design revolved(double before, double half, const std::string& more = {}) {
   Design design = test::designOf(test::revolved(before, half, more));
@@ -53,7 +41,7 @@ double leastRatio(const CutEvaluation& cut) {
 }
 
 TEST(SplitBlock, IsSeenOnTheSpeedsOfTheRow) {
-  const Evaluation e = evaluated(swinging(), Purpose::live);
+  const Evaluation e = evaluated(test::swinging(), Purpose::live);
   const CutEvaluation& cut = e.cut();
   ASSERT_TRUE(cut.sweep.value && cut.check.value);
   const BlockGrid before = gridOf(e.design, *e.design.block().placement).value();
@@ -179,7 +167,7 @@ TEST(SpeedRemedies, PlanesThatDragTheBladeAreNoHelp) {
 }
 
 TEST(SpeedRemedies, ASurfaceThatSwingsIsCutInParts) {
-  Evaluation e = evaluated(swinging(), Purpose::live);
+  Evaluation e = evaluated(test::swinging(), Purpose::live);
   while (!e.cut().speeds.value) ASSERT_TRUE(addSecondThought(e, {}));
   expectPartsAsDesigned(e, toldOf(e));
 }
