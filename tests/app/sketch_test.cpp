@@ -492,6 +492,30 @@ TEST(Sketch, TheReachOfAHandIsFoundBeforeWhatItHoldsIsEvaluated) {
     EXPECT_TRUE(end.bar != Bar::none || std::abs(end.free) == kFarthest) << end.free;
 }
 
+TEST(Sketch, AHandThatTakesHoldPutsOffWhatIsAddedToAResult) {
+  model::EvaluationRunner runner;
+  runner.evaluate(std::make_shared<const Design>(pulled(0)), false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  const auto added = [&] { return runner.evaluation()->cut().lengths.value != nullptr; };
+  EXPECT_FALSE(added());
+  // Pressed and let go of before that begins.
+  runner.seekReach(pulled, 20);
+  runner.endReach();
+  EXPECT_TRUE(QTest::qWaitFor(added, kPatience));
+  // Borders are sure before that comes: with a hand on it both are told of.
+  runner.evaluate(std::make_shared<const Design>(pulled(1)), false);
+  runner.seekReach(pulled, 20);
+  bool addedFirst = false;
+  const auto sure = [&] {
+    const std::optional<Reach>& reach = runner.reach();
+    return reach && reach->knows(-20) && reach->knows(20);
+  };
+  QObject::connect(&runner, &model::EvaluationRunner::finished,
+                   [&] { addedFirst = addedFirst || (added() && !sure()); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sure() && added(); }, kPatience));
+  EXPECT_FALSE(addedFirst);
+}
+
 /// Sketches lose on their way what an evaluation finds again: of this block they say that nothing keeps the
 /// blades once a pole is some 4 mm up, where every one is certain.
 TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
@@ -514,6 +538,8 @@ TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
     EXPECT_EQ(std::abs(end.free), ReachSearch::kNear);
     EXPECT_EQ(end.bar, Bar::none);
     EXPECT_EQ(barOfEvaluation(end.free), Bar::none);
+    EXPECT_TRUE(search.reach().knows(end.free));
+    EXPECT_FALSE(search.reach().knows(4 * end.free));
   }
   EXPECT_LT(search.reach().ends[0].free, search.reach().ends[1].free);
   while (search.look({}) || search.confirm({})) {
@@ -528,6 +554,7 @@ TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
       EXPECT_EQ(std::abs(end.free), kFarthest);
     }
     EXPECT_GT(std::abs(end.free), 4) << "where sketches lost sight of them";
+    EXPECT_TRUE(search.reach().knows(std::copysign(kFarthest, end.free)));
   }
 }
 

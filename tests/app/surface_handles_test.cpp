@@ -192,6 +192,51 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
   EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
 }
 
+TEST_F(SurfaceHandlesTest, AHandleLetGoOfBeforeItsBorderIsKnownGoesBackToIt) {
+  open("single-block");
+  const Design before = bench().design();
+  const double from = height(2, 1);
+  const QPoint place = at(kPole);
+  // Pressed, pulled far beyond what any blade can do and let go of at once.
+  const auto throwUp = [&] {
+    QTest::mousePress(&view(), Qt::LeftButton, {}, place);
+    QTest::mouseMove(&view(), place - QPoint(0, 200));
+    ASSERT_FALSE(bench().runner().reach() && bench().runner().reach()->knows(400)) << "not yet known";
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, place - QPoint(0, 200));
+  };
+  throwUp();
+  const double thrown = height(2, 1);
+  ASSERT_GT(thrown, from + 50);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return height(2, 1) < thrown && settle(); }, kPatience));
+  EXPECT_GT(height(2, 1), from + 1);
+  EXPECT_EQ(height(2, 1), std::round(height(2, 1))) << "whole mm";
+  // Told as soon as its border is sure.
+  picture("handle-goes-back");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window().statusBar()->currentMessage().contains(" went back: "); },
+                              kPatience));
+  picture("handle-went-back");
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  for (const Rest rest : bench().sweep()->rest.stations) EXPECT_NE(rest, Rest::lost);
+  EXPECT_LE(bench().sweep()->analysis.summary.deviationMax, bench().design().process.tolerance);
+  EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
+  // The way there and back is one step.
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+  ASSERT_TRUE(settle());
+  // What is done before it goes back stands.
+  throwUp();
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  QTest::qWait(300);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().runner().busy());
+  throwUp();
+  QTest::keyClick(&view(), Qt::Key_Up);
+  EXPECT_EQ(bench().document().undoStack().count(), 2) << "the key moves on its own";
+}
+
 TEST_F(SurfaceHandlesTest, SeveralStopWhereTheirCommonWayEnds) {
   open("single-block");
   const int other = 3 * 4 + 2;

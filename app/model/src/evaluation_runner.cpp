@@ -151,6 +151,7 @@ void EvaluationRunner::clear() {
 }
 
 void EvaluationRunner::work(const std::stop_token& stop) {
+  std::shared_ptr<const pipeline::Evaluation> thought;  // what may be added to
   while (!stop.stop_requested()) {
     Order order;
     std::shared_ptr<const pipeline::Evaluation> previous, newest;
@@ -159,8 +160,21 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       std::unique_lock lock(mutex_);
       while (waiting_.empty()) {
         lock.unlock();
-        const bool looked = lookFarther(stop) || confirmBorder(stop);
+        // How far a hand may go, which waits for it, comes before what takes longer.
+        bool looked = lookFarther(stop) || confirmBorder(stop);
         lock.lock();
+        if (!looked && thought && thought == newest_ && waiting_.empty()) {
+          looked = true;
+          running_ = std::stop_source();
+          secondThoughts_ = true;
+          const std::stop_token stopped = running_.get_token();
+          lock.unlock();
+          thinkAgain(thought, stopped, stop);
+          lock.lock();
+          // A hand that takes hold of something puts it off; whatever else stops it ends it.
+          const bool putOff = stopped.stop_requested() && searched_ != reachNumber_;
+          thought = putOff && newest_ && newest_->result() ? newest_ : nullptr;
+        }
         const auto asked = [this] { return !waiting_.empty() || searched_ != reachNumber_; };
         if (!looked && !wake_.wait(lock, stop, asked)) return;
       }
@@ -215,19 +229,14 @@ void EvaluationRunner::work(const std::stop_token& stop) {
                                              "; change the setting that was edited last or report this"};
     }
     // A task leaves the result as it is, and what was to be added to that is not forgotten.
-    const std::shared_ptr<const pipeline::Evaluation> thought = order.design ? (error ? nullptr : evaluation)
-                                                                : newest && newest->result() ? newest
-                                                                                             : nullptr;
+    thought = order.design ? (error ? nullptr : evaluation) : newest && newest->result() ? newest : nullptr;
     {
       const std::lock_guard lock(mutex_);
-      running_ = thought && waiting_.empty() ? std::stop_source() : std::stop_source(std::nostopstate);
-      context.stop = running_.get_token();
+      running_ = std::stop_source(std::nostopstate);
       runningIsEvaluation_ = false;
-      secondThoughts_ = running_.stop_possible();
     }
     QMetaObject::invokeMethod(
         this, [this, order, evaluation, error] { deliver(order, evaluation, error); }, Qt::QueuedConnection);
-    if (thought && secondThoughts_) thinkAgain(thought, context.stop, stop);
   }
 }
 

@@ -30,6 +30,11 @@ Bar barOf(const Sketch& sketch, double deviation) {
   return worst;
 }
 
+bool Reach::knows(double by) const {
+  const End& end = ends[by < 0 ? 0 : 1];
+  return now != Bar::none || end.known || std::abs(by) <= std::abs(end.free);
+}
+
 namespace {
 
 /// True if the blades of an evaluation leave the surface at their stations or between them.
@@ -102,6 +107,7 @@ bool ReachSearch::look(const RunContext& context) {
     }
     side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
     side.sure = side.done && end.bar == Bar::none;
+    end.known = side.sure;
   }
   near_.reset();
   return looking();
@@ -136,6 +142,7 @@ bool ReachSearch::confirm(const RunContext& context) {
     }
   }
   if (side.proved) side.sure = side.barred - std::abs(end.free) <= kWithin;
+  end.known = side.sure;
   return true;
 }
 

@@ -68,7 +68,15 @@ SurfaceHandles::SurfaceHandles(Workbench& bench, view::SceneView* view)
   connect(view, &view::SceneView::handleHovered, this, &SurfaceHandles::hover);
   connect(view, &view::SceneView::picked, this, [this] { choose({}); });
   connect(&bench, &Workbench::changed, this, &SurfaceHandles::follow);
-  connect(&bench.runner(), &model::EvaluationRunner::reached, this, &SurfaceHandles::keepWithin);
+  connect(&bench.runner(), &model::EvaluationRunner::reached, this, [this] {
+    keepWithin();
+    settle(false);
+  });
+  // An evaluation comes after the first look at what is sought: where there was none, nothing is.
+  connect(&bench.runner(), &model::EvaluationRunner::finished, this, [this] {
+    const model::EvaluationRunner& runner = bench_.runner();
+    settle(!runner.reach() && runner.evaluatedDesign() == bench_.document().design());
+  });
 }
 
 void SurfaceHandles::setShown(bool shown) {
@@ -518,6 +526,7 @@ void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardM
 }
 
 void SurfaceHandles::bring(HandleNumber number, double to, double step, bool anyway) {
+  settle(true);
   const DesignedSurface* surface = surfaceOf(bench_);
   const std::optional<double> now =
       surface && !chosen_.empty() ? numberOf(*surface, chosen_.back(), number) : std::nullopt;
@@ -545,7 +554,7 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step, bool any
 }
 
 bool SurfaceHandles::takeBack() {
-  if (!pull_ || pull_->held) return false;
+  if (!moving() || pull_->held) return false;
   giveUp();
   endPull();
   return true;
@@ -627,11 +636,25 @@ void SurfaceHandles::release(int handle, bool givenUp) {
 
 void SurfaceHandles::drop(bool givenUp) {
   if (!pull_ || !pull_->held) return;
-  if (pull_->moved && givenUp)
-    giveUp();
-  else if (pull_->moved)
-    pull(pull_->by, false);
+  if (pull_->moved && givenUp) giveUp();
+  if (!pull_->moved || givenUp) return endPull();
+  pull_->held = false;
+  pull_->letGoAt = pull_->by;
+  // It stays where it is seen to be, not where the hand was, unless it has to go back.
+  if (std::exchange(pull_->wished, pull_->by) != pull_->by) pull_->to = {};
+  settle(false);
+}
+
+void SurfaceHandles::settle(bool anyway) {
+  if (!pull_ || !pull_->letGoAt) return;
+  const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
+  const bool known = reach && reach->knows(pull_->wished);
+  if (!known && !anyway) return;
+  pull(pull_->by, false);
+  const bool back = pull_->by != *pull_->letGoAt;
+  const QString words = tr("%1 went back: %2").arg(nameOf(pull_->handle), pull_->stoppedBy);
   endPull();
+  if (back) emit told(words);
 }
 
 void SurfaceHandles::hover(int handle) {

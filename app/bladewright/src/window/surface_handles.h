@@ -29,7 +29,8 @@ namespace bw::app {
 /// pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
 /// of these, with Ctrl or Alt by a tenth of the way of the hand; without these it may snap to what it comes
 /// in line with. Esc gives a pull up; a click with Shift chooses several, which move together. Whatever moves
-/// them, they stop where the surface can no longer be cut, as soon as that is known, and say why.
+/// them, they stop where the surface can no longer be cut, as soon as that is known, and say why: one that is
+/// let go of before goes back as far then.
 class SurfaceHandles : public QObject {
   Q_OBJECT
 
@@ -81,7 +82,7 @@ class SurfaceHandles : public QObject {
   void bring(HandleNumber number, double to, double step, bool anyway = false);
   /// Moves them back to where the first of these began; false where there was none.
   bool takeBack();
-  bool moving() const { return pull_.has_value(); }
+  bool moving() const { return pull_ && !pull_->letGoAt; }
   /// What comes next is a step of its own.
   void endMoves();
 
@@ -109,6 +110,8 @@ class SurfaceHandles : public QObject {
   void changed();
   /// Other handles are chosen, or one is taken hold of.
   void chosenChanged();
+  /// Why one that was let go of went back.
+  void told(const QString& why);
 
  private:
   static constexpr double kFarthest = 400;  ///< mm that a hand moves a handle at once
@@ -124,6 +127,7 @@ class SurfaceHandles : public QObject {
     bool freely = false;                   ///< in its plane, not up and down alone
     Eigen::Vector2d began = {0, 0};        ///< mm across and up, where the hand took hold
     double by = 0;                         ///< mm that it moved since
+    std::optional<double> letGoAt = {};    ///< that, before it was known whether it may stay there
     int mergeId = -1;
     bool moved = false;
     double wished = 0;                             ///< mm, where the hand is
@@ -151,6 +155,8 @@ class SurfaceHandles : public QObject {
   void follow(const Change& change);
   /// Moves the handles to the hand, as far as they may go.
   void keepWithin();
+  /// Ends a pull that was let go of, where it is known how far that may go, or `anyway`.
+  void settle(bool anyway);
   /// Those that move together.
   std::vector<int> held() const;
   /// The surface with the handles pulled by so many mm from where they were.

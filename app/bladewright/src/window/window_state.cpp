@@ -181,8 +181,9 @@ void MainWindow::makeWorkspace() {
     showCurve();  // of those that were chosen already, too
   });
   connect(blockHandles_, &BlockHandles::changed, this, &MainWindow::refreshStyle);
-  connect(blockHandles_, &BlockHandles::told, this,
-          [this](const QString& why) { statusBar()->showMessage(why, kToldFor); });
+  const auto tell = [this](const QString& why) { statusBar()->showMessage(why, kToldFor); };
+  connect(handles_, &SurfaceHandles::told, this, tell);
+  connect(blockHandles_, &BlockHandles::told, this, tell);
   connect(keys_, &HandleKeys::menuRequested, this, [this](const QPoint& place) {
     refreshHandleCommands();
     handleMenu_->popup(place);

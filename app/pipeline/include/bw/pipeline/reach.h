@@ -30,11 +30,15 @@ struct Reach {
   struct End {
     double free = 0;      ///< so far it may, as far as was looked
     Bar bar = Bar::none;  ///< what bars it beyond; none where nothing was found to
+    bool known = false;   ///< nothing more is sought of it
     bool operator==(const End&) const = default;
   };
   std::array<End, 2> ends = {};  ///< below and above 0
   Bar now = Bar::none;           ///< what bars it where it is; then nothing is known of both ends
   bool operator==(const Reach&) const = default;
+
+  /// Whether it is known how far on the way by so much it may go.
+  bool knows(double by) const;
 };
 
 /// Seeks how far something of a design may be moved, look by look, from where it is: a little way, which
