@@ -68,7 +68,7 @@ bool ReachSearch::looking() const {
 }
 
 bool ReachSearch::unsure(std::size_t side) const {
-  return reach_.now == Bar::none && sides_[side].done && !sides_[side].sure;
+  return reach_.now == Bar::none && sides_[side].done && !reach_.ends[side].known;
 }
 
 bool ReachSearch::unsure() const { return unsure(0) || unsure(1); }
@@ -106,8 +106,7 @@ bool ReachSearch::look(const RunContext& context) {
       side.barred = next;
     }
     side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
-    side.sure = side.done && end.bar == Bar::none;
-    end.known = side.sure;
+    end.known = side.done && end.bar == Bar::none;
   }
   near_.reset();
   return looking();
@@ -137,12 +136,11 @@ bool ReachSearch::confirm(const RunContext& context) {
     end.free = i == 0 ? -by : by;
     if (!side.proved) {
       end.bar = Bar::none;
-      side.sure = by >= farthest_;
+      end.known = by >= farthest_;
       side.barred = std::min(farthest_, by + std::exchange(side.step, 2 * side.step));
     }
   }
-  if (side.proved) side.sure = side.barred - std::abs(end.free) <= kWithin;
-  end.known = side.sure;
+  if (side.proved) end.known = side.barred - std::abs(end.free) <= kWithin;
   return true;
 }
 

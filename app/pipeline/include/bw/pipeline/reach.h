@@ -30,7 +30,7 @@ struct Reach {
   struct End {
     double free = 0;      ///< so far it may, as far as was looked
     Bar bar = Bar::none;  ///< what bars it beyond; none where nothing was found to
-    bool known = false;   ///< nothing more is sought of it
+    bool known = false;   ///< neither sketches nor evaluations find more of it
     bool operator==(const End&) const = default;
   };
   std::array<End, 2> ends = {};  ///< below and above 0
@@ -69,7 +69,6 @@ class ReachSearch {
     Sketcher sketcher;
     double barred = 0;     ///< from here on, where it is known
     bool done = false;     ///< sketches find no more
-    bool sure = false;     ///< nor do evaluations
     bool proved = false;   ///< by an evaluation it is barred there
     double step = kFirst;  ///< to the next one, while none is
   };
