@@ -82,6 +82,9 @@ class StopAsked : public Message_ProgressIndicator {
 struct Piece {
   TopoDS_Shape solid;
   double volume = 0;  ///< mm³
+  /// It exists in numbers alone: where a blade runs along a face of the block, what lies between both is
+  /// parted from the rest. It is melted with what is taken away.
+  bool film = false;
 };
 
 double volumeOf(const TopoDS_Shape& solid) {
@@ -90,12 +93,13 @@ double volumeOf(const TopoDS_Shape& solid) {
   return properties.Mass();
 }
 
-/// A piece that exists in numbers alone: where a blade runs along a face of the block, what lies between both
-/// is parted from the rest. It is melted with what is taken away.
-bool isFilm(const Piece& piece) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(piece.solid, properties, kVolume);
-  return 2 * piece.volume < kFilm * properties.Mass();
+bool isFilm(const TopoDS_Shape& solid, double volume) {
+  constexpr double kClearly = 4;  // times as thick, with as many points of each face as its degree asks for
+  GProp_GProps rough, properties;
+  BRepGProp::SurfaceProperties(solid, rough);
+  if (2 * volume > kClearly * kFilm * rough.Mass()) return false;
+  BRepGProp::SurfaceProperties(solid, properties, kVolume);
+  return 2 * volume < kFilm * properties.Mass();
 }
 
 double sum(const std::vector<Piece>& pieces) {
@@ -337,15 +341,15 @@ class Carving {
       Result<Halves> halves = halve(pieces, knives_[i], context);
       if (!halves) return tl::unexpected(halves.error());
       if (i + 1 == knives_.size()) {
-        const auto films = std::size_t(std::ranges::count_if(halves->kept, isFilm) +
-                                       std::ranges::count_if(halves->removed, isFilm));
+        const auto films = std::size_t(std::ranges::count_if(halves->kept, &Piece::film) +
+                                       std::ranges::count_if(halves->removed, &Piece::film));
         left.solids = halves->kept.size() + halves->removed.size() - films;
         left.doubted = films > 0 && left.solids <= pieces.size();
       }
       pieces = std::move(halves->kept);
     }
     if (auto ok = checkSides(pieces); !ok) return tl::unexpected(ok.error());
-    std::erase_if(pieces, isFilm);
+    std::erase_if(pieces, [](const Piece& piece) { return piece.film; });
     std::ranges::stable_sort(pieces, std::greater(), &Piece::volume);
     left.pieces = std::move(pieces);
     return left;
@@ -365,7 +369,8 @@ class Carving {
         if (!passed) return tl::unexpected(passed.error());
         *stays = *passed;
       }
-      (**stays ? halves.kept : halves.removed).push_back({solid, volumeOf(solid)});
+      const double volume = volumeOf(solid);
+      (**stays ? halves.kept : halves.removed).push_back({solid, volume, isFilm(solid, volume)});
     }
     if (auto ok = checkVolumes(pieces, halves, knife); !ok) return tl::unexpected(ok.error());
     return halves;
