@@ -201,6 +201,9 @@ TEST(HeavyBlade, ThousandShapesAreAsStableAsAChainOfSegments) {
       }
       EXPECT_EQ(solution.stable, chainFalls(solution.blade, 400) == 0)
           << i << ": margin " << solution.stabilityMargin;
+      // By factorisations and the sign of a determinant instead of eigenvalues.
+      EXPECT_EQ(HeavyBranch::from(solution.blade, 1).has_value(), solution.stable)
+          << i << ": margin " << solution.stabilityMargin;
       (solution.stable ? stable : unstable)++;
     }
   }

@@ -478,11 +478,11 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, std::i
                  unit->hold(turning)};
   way.to.startAngle = startAngle;
   Shape before{numbers_.coefficients, numbers_.endForce * squared};
-  double contraction = 0;
-  std::optional<Shape> there = heavy::settle(way.to, before, kQuick, &contraction);
+  heavy::Settling seen;
+  std::optional<Shape> there = heavy::settle(way.to, before, kQuick, &seen);
   ClampedBranch::Move move;
   Hold hold = way.to;
-  if (there && contraction <= kOneBranch &&
+  if (there && seen.contraction <= kOneBranch &&
       heavy::isStable(Equations(modesOf(there->count()), way.to, *there))) {
     there = heavy::refined(hold, *there, heavy::kExact);
     if (!there) return lost("in finer modes");

@@ -60,14 +60,21 @@ Eigen::Matrix<double, Eigen::Dynamic, 2> Equations::closure() const {
   return result;
 }
 
-MatrixXd Equations::jacobian() const {
-  const Index n = modes_.count();
+namespace {
+
+/// The second derivative of the energy, bordered with the gradients of what holds the ends.
+MatrixXd bordered(const MatrixXd& hessian, const Eigen::Matrix<double, Eigen::Dynamic, 2>& closure) {
+  const Index n = hessian.rows();
   MatrixXd result = MatrixXd::Zero(n + 2, n + 2);
-  result.topLeftCorner(n, n) = hessian();
-  result.topRightCorner(n, 2) = -closure();
+  result.topLeftCorner(n, n) = hessian;
+  result.topRightCorner(n, 2) = -closure;
   result.bottomLeftCorner(2, n) = result.topRightCorner(n, 2).transpose();
   return result;
 }
+
+}  // namespace
+
+MatrixXd Equations::jacobian() const { return bordered(hessian(), closure()); }
 
 VectorXd Equations::along(const Hold& change) const {
   const ArrayXd turned = change.startAngle + change.turning * modes_.nodes.array();
@@ -87,19 +94,34 @@ double Equations::energy() const {
              (left * (hold_.load.x() * sampled_.cosine + hold_.load.y() * sampled_.sine)).matrix());
 }
 
-std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, double* contraction) {
+namespace {
+
+/// True if the energy falls along an odd number of the directions that the constraints leave free, by the
+/// factors of the bordered matrix: its determinant has the sign of that of the reduced one, as there are two
+/// constraints.
+bool fallsOddly(const Eigen::PartialPivLU<MatrixXd>& factors) {
+  const auto below = (factors.matrixLU().diagonal().array() < 0).count();
+  return (below % 2 == 0) == (factors.permutationP().determinant() < 0);
+}
+
+}  // namespace
+
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen) {
   constexpr double kLost = 1e3;       // no sensible coefficient is as large
   constexpr double kStillGood = 0.1;  // of the step before: the factors serve once more
   const Modes& modes = modesOf(shape.count());
   std::optional<Eigen::PartialPivLU<MatrixXd>> factors;
   double before = 0;
-  if (contraction) *contraction = 0;
+  if (seen) *seen = {};
   for (int i = 0; i <= iterations; ++i) {
     const Equations equations(modes, hold, shape);
     const VectorXd residual = equations.residual();
     // Rounding grows with the force.
     const double size = 1 + shape.force.norm() + hold.load.norm();
-    if (residual.lpNorm<Eigen::Infinity>() < kAtRest * size) return shape;
+    if (residual.lpNorm<Eigen::Infinity>() < kAtRest * size) {
+      if (seen && factors) seen->fallsOddly = fallsOddly(*factors);
+      return shape;
+    }
     if (i == iterations || detail::workExhausted()) break;
     VectorXd step;
     if (factors) step = factors->solve(residual);
@@ -109,7 +131,7 @@ std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, doubl
     }
     const double length = step.head(shape.count()).norm();
     if (!step.allFinite() || length > kLost) break;
-    if (contraction && i > 0 && before > kResolved) *contraction = std::max(*contraction, length / before);
+    if (seen && i > 0 && before > kResolved) seen->contraction = std::max(seen->contraction, length / before);
     before = length;
     shape.coefficients -= step.head(shape.count());
     shape.force -= step.tail<2>();
@@ -142,13 +164,21 @@ MatrixXd freeDirections(const Equations& equations) {
   return qr.householderQ() * free;
 }
 
+namespace {
+
+/// What is left of a form of the modes where two gradients vanish.
+MatrixXd reduced(MatrixXd form, const Eigen::Matrix<double, Eigen::Dynamic, 2>& gradients) {
+  const Eigen::HouseholderQR<MatrixXd> qr(gradients);
+  form.applyOnTheLeft(qr.householderQ().adjoint());
+  form.applyOnTheRight(qr.householderQ());
+  const Index free = form.rows() - 2;
+  return form.bottomRightCorner(free, free);
+}
+
+}  // namespace
+
 MatrixXd reducedHessian(const Equations& equations) {
-  MatrixXd h = equations.hessian();
-  const Eigen::HouseholderQR<MatrixXd> qr(equations.closure());
-  h.applyOnTheLeft(qr.householderQ().adjoint());
-  h.applyOnTheRight(qr.householderQ());
-  const Index free = h.rows() - 2;
-  return h.bottomRightCorner(free, free);
+  return reduced(equations.hessian(), equations.closure());
 }
 
 bool surelyPositive(MatrixXd form, MatrixXd constraints) {
@@ -171,8 +201,12 @@ bool surelyPositive(MatrixXd form, MatrixXd constraints) {
 
 bool isStable(const Equations& equations) {
   if (equations.sampled().along.minCoeff() > -kSurelyPositive) return true;
-  return surelyPositive(equations.hessian(), equations.closure()) ||
-         reducedHessian(equations).llt().info() == Eigen::Success;
+  const MatrixXd hessian = equations.hessian();
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> closure = equations.closure();
+  if (surelyPositive(hessian, closure)) return true;
+  // Most that are not stable fall along one direction.
+  const Eigen::PartialPivLU<MatrixXd> factors(bordered(hessian, closure));
+  return !fallsOddly(factors) && reduced(hessian, closure).llt().info() == Eigen::Success;
 }
 
 Equations equationsOf(const HeavyBlade& blade) {

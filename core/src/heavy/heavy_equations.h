@@ -88,10 +88,17 @@ inline constexpr double kAtRest = 1e-13;
 /// What the last modes of a shape carry, rad, that is followed, and of one that is told.
 inline constexpr double kResolved = 1e-6, kExact = 1e-9;
 
-/// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`. The
-/// largest ratio of two steps, as long as they are more than kResolved, is put into `contraction`: well below
-/// one, the start is on the same branch.
-std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, double* contraction = nullptr);
+/// What Newton's method saw on its way.
+struct Settling {
+  /// The largest ratio of two steps, as long as they are more than kResolved: well below one, the start is on
+  /// the same branch.
+  double contraction = 0;
+  /// Whether the energy falls along an odd number of directions that the ends leave free, where its
+  /// derivative was factorised last: on the same branch, at the end as well. Empty where it never was.
+  std::optional<bool> fallsOddly = std::nullopt;
+};
+/// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`.
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen = nullptr);
 
 /// The shape in the next number of modes. Empty at kMostModes, or if Newton's method loses it.
 std::optional<Shape> finer(const Hold& hold, Shape shape);

@@ -40,12 +40,12 @@ std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& hel
   const heavy::Way way{heavy::equationsOf(pass).hold(),
                        {(held.grips.end - next.start) / length, next.startAngle, next.turning,
                         next.load * (squared * length)}};
+  heavy::Settling seen;
   double reached = 0, part = 1;
   while (reached < 1) {
-    double contraction = 0;
     const double aim = std::min(1.0, reached + part);
-    std::optional<Shape> there = heavy::settle(way.at(aim), shape, kSteps, &contraction);
-    if (there && contraction <= kOneBranch) {
+    std::optional<Shape> there = heavy::settle(way.at(aim), shape, kSteps, &seen);
+    if (there && seen.contraction <= kOneBranch) {
       shape = std::move(*there);
       reached = aim;
     } else if ((part /= 2) < kLeastPart) {
@@ -53,7 +53,11 @@ std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& hel
     }
   }
   const std::optional<Shape> fine = heavy::refined(way.to, shape, heavy::kExact);
-  if (!fine || heavy::isStable(Equations(heavy::modesOf(fine->count()), way.to, *fine))) return {};
+  if (!fine) return {};
+  // Most passes fall along one direction.
+  if (!seen.fallsOddly.value_or(false) &&
+      heavy::isStable(Equations(heavy::modesOf(fine->count()), way.to, *fine)))
+    return {};
   next.coefficients = fine->coefficients;
   next.endForce = fine->force / squared;
   return HeavyBlade(std::move(next));
