@@ -133,17 +133,10 @@ int runRationalize(const Session& session, const ResultOptions& options) {
 /// What the design of a file loses where the one beside its results takes its place, in words; empty for
 /// nothing.
 std::string lostBeside(const Design& design, const ResultOptions& options) {
-  Design result = withoutVersions(design);
-  result.source().drawing.reset();
-  if (!design.versions.empty())
-    return "has named versions, which would be lost: results hold a design without";
-  if (design.source().drawing)
-    return "links a drawing, which would be lost: results hold the surface drawn there";
-  if (result != design)
-    return "hides or locks parts, which would be lost: results hold a design without such marks";
-  if (!options.sets.empty() || !options.version.empty())
+  const std::string lost = pipeline::lostInResults(design);
+  if (lost.empty() && (!options.sets.empty() || !options.version.empty()))
     return "would be replaced by the design that it is changed to here";
-  return {};
+  return lost;
 }
 
 /// The design whose results are asked for. Errors besides: its file would be replaced by the one beside the

@@ -170,9 +170,22 @@ TEST_F(VersionsTest, AreNotLostToAnExportInTheirPlace) {
       [](const auto&, const auto&, const auto&) { return Workbench::Earlier::replace; });
   bench().exportAll(path("out"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
-  EXPECT_TRUE(window().banner().text().contains("its versions would be lost"))
+  EXPECT_TRUE(window().banner().text().contains("has named versions, which would be lost"))
       << window().banner().text().toStdString();
   EXPECT_EQ(loadDesign(path("out") / "design.bladewright").value().versions.size(), 1u);
+  // Nor is what is locked.
+  window().commands()["edit.undo"]->trigger();
+  ASSERT_TRUE(bench().design().versions.empty());
+  PartMarks marks;
+  marks.locked.cuts = {bench().design().cuts[0].id};
+  bench().document().setMarks(marks);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().saveTo(path("out") / "design.bladewright"));
+  bench().exportAll(path("out"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
+  EXPECT_TRUE(window().banner().text().contains("hides or locks parts, which would be lost"))
+      << window().banner().text().toStdString();
+  EXPECT_EQ(loadDesign(path("out") / "design.bladewright").value().marks, marks);
   bench().exportAll(path("other"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
   EXPECT_TRUE(loadDesign(path("other") / "design.bladewright").value().versions.empty());

@@ -107,6 +107,16 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
   return product;
 }
 
+std::string lostInResults(const Design& design) {
+  if (!design.versions.empty())
+    return "has named versions, which would be lost: results hold a design without";
+  if (design.source().drawing)
+    return "links a drawing, which would be lost: results hold the surface drawn there";
+  if (design.marks != PartMarks())
+    return "hides or locks parts, which would be lost: results hold a design without such marks";
+  return {};
+}
+
 Result<Design> storedDesign(const Evaluation& evaluation) {
   Design result = withoutVersions(evaluation.design);
   result.source().drawing.reset();  // what was cut is the surface that it holds

@@ -273,11 +273,15 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
   made->folder = folder;
   made->name = name;
   made->opened = opened_;
-  // The design beside results has no versions.
-  const bool losesVersions =
-      !design().versions.empty() && pipeline::sameFile(folder / pipeline::kDesignFile, document_.file());
-  const auto task = [made, losesVersions, policy = std::move(policy)](
-                        pipeline::Evaluation evaluation, const RunContext& context) -> Result<void> {
+  // What the open design would lose to the one beside its results.
+  std::string lost;
+  if (pipeline::sameFile(folder / pipeline::kDesignFile, document_.file())) {
+    Design stored = design();
+    stored.marks = document_.marks();
+    lost = pipeline::lostInResults(stored);
+  }
+  const auto task = [made, lost, policy = std::move(policy)](pipeline::Evaluation evaluation,
+                                                             const RunContext& context) -> Result<void> {
     made->key = model::exportKey(evaluation);
     made->source = evaluation.design.source();
     const pipeline::Policy asked = policy(context);
@@ -286,11 +290,10 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
     if (product.error) return tl::unexpected<Error>(*product.error);
     if (context.stopped()) return stoppedError();
     made->files = std::move(product.files);
-    if (losesVersions && std::ranges::count(made->files.paths(), fs::path(pipeline::kDesignFile)) > 0)
+    if (!lost.empty() && std::ranges::count(made->files.paths(), fs::path(pipeline::kDesignFile)) > 0)
       return fail(ErrorCode::badInput,
-                  tr("%1 in that folder is the open design, and its versions would be lost: results hold a "
-                     "design without; choose another folder")
-                      .arg(QString::fromUtf8(pipeline::kDesignFile))
+                  tr("%1 in that folder is the open design, which %2; choose another folder")
+                      .arg(QString::fromUtf8(pipeline::kDesignFile), QString::fromStdString(lost))
                       .toStdString(),
                   "folder");
     made->findings = product.evaluation.programs;

@@ -75,6 +75,9 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
 /// inside where that is small (8 MB), else linked by its whole path. Error `cannotRead` where the file is not
 /// the one any more that the results were made from.
 Result<Design> storedDesign(const Evaluation& evaluation);
+/// What a design loses where the one that is stored beside its results takes its place, in words that go on
+/// from its name ("has named versions, which …"); empty for nothing.
+std::string lostInResults(const Design& design);
 
 /// report.json alone, of the run of that name. `files` are listed in it.
 std::string reportJson(const Evaluation& evaluation, const std::string& run, const FileSet& files,
