@@ -141,44 +141,6 @@ TEST(FirmRow, SlopesOfAStationAreThoseOfItsSection) {
   EXPECT_LT((station->byOwn - anew.byOwn).norm(), 1e-3);
 }
 
-TEST(FirmRow, WhatALowBarrierCostsChangesAsItsSlopesTell) {
-  Sweep sweep = rowOf(flat(760, 1), kTwoWays);
-  const Result<RowCertainty> certainty = certaintyOf(sweep, {});
-  ASSERT_TRUE(certainty);
-  const std::vector<HeavyBlade>& passes = certainty->stations[4].passes;
-  ASSERT_FALSE(passes.empty());
-  sweep.fits[4].passes = {passes.front()};
-  const double bare = certainty->stations[4].barrier.value_or(0);
-  const RunContext context;
-  for (const double rounded : {0.0, 0.02, 0.3})
-    for (const double asked : {4 * bare, 1.02 * bare, 0.8 * bare}) {
-      sweep.request.barrier = asked;
-      const sweep::Row row(sweep, context, rounded);
-      const std::optional<sweep::Station> station = row.following(4);
-      ASSERT_TRUE(station);
-      const std::string at = std::to_string(rounded) + ", " + std::to_string(asked / bare);
-      const double cost = station->own(sweep::kStationBarriers);
-      if (asked > bare || rounded > 0)
-        EXPECT_GT(cost, 0) << at;
-      else
-        EXPECT_EQ(cost, 0) << at;
-      for (int k = 0; k < 6; ++k) {
-        constexpr double kStep = 1e-4;
-        double beside[2];
-        for (const int side : {0, 1}) {
-          sweep::Station moved = *station;
-          moved.numbers[k] += side == 0 ? -kStep : kStep;
-          row.look(moved);
-          ASSERT_TRUE(moved.good) << at;
-          beside[side] = moved.own(sweep::kStationBarriers);
-        }
-        const double slope = (beside[1] - beside[0]) / (2 * kStep);
-        EXPECT_NEAR(station->byOwn(sweep::kStationBarriers, k), slope, 1e-4 * (1 + std::abs(slope)))
-            << at << ", number " << k;
-      }
-    }
-}
-
 TEST(FirmRow, NoBladeStandsWorseThanInTheRowBefore) {
   int firmed = 0;
   for (const double margin : {0.15, 0.9})

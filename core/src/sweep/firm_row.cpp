@@ -11,7 +11,6 @@
 
 #include "sweep/firm_row.h"
 #include "sweep/held_blade.h"
-#include "sweep/row_problem.h"
 #include "sweep/row_solver.h"
 #include "sweep/row_station.h"
 #include "sweep/sweep_findings.h"
@@ -22,10 +21,8 @@ using sweep::Station;
 
 namespace {
 
-constexpr int kRounds = 3;         // each with the passes of the row before
-constexpr double kWatched = 8;     // times what is asked for: higher passes are let be
-constexpr double kSettled = 0.01;  // of what is weighed, in one step: the next round seeks the passes again
-constexpr double kRounded = 0.02;  // of the barrier asked for, over which its bound begins
+constexpr int kRounds = 3;        // each with the passes of the row before
+constexpr double kWatched = 8;    // times what is asked for: higher passes are let be
 constexpr double kWithin = 0.95;  // of the tolerance: more stations bring what lies between them near to that
 
 /// The stretches whose blades a small push brings into another shape.
@@ -64,7 +61,7 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
   for (const sweep::Stretch& at : weak)
     for (std::size_t i = at.first; i <= at.last; ++i)
       next.fits[i].passes = lowOf(before, i, certainty.stations[i]);
-  const sweep::Row row(next, context, kRounded);
+  const sweep::Row row(next, context);
   std::vector<std::optional<Station>> stations(next.poses.size());
   const Result<void> ok = parallelFor(context, int(stations.size()), [&](int k) {
     std::optional<Station>& station = stations[std::size_t(k)];
@@ -77,13 +74,10 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
   for (std::optional<Station>& station : stations)
     if (station && station->good) standing.push_back(&*station);
   if (standing.empty()) return next;
-  sweep::RowProblem(row, standing).solve(kSettled);
-  const Result<void> all = parallelFor(context, int(standing.size()), [&](int k) {
-    const Station& station = *standing[std::size_t(k)];
-    if (const std::optional<Elastica> light = row.holds(station) ? row.light(station) : std::nullopt)
-      if (!sweep::put(row, station, *light, next)) next.fits[station.index] = before.fits[station.index];
-  });
-  if (!all) return before;  // at a stop, which the caller asks about
+  sweep::settle(row, standing);
+  for (const Station* station : standing)
+    if (const std::optional<Elastica> light = row.holds(*station) ? row.light(*station) : std::nullopt)
+      if (!sweep::put(row, *station, *light, next)) next.fits[station->index] = before.fits[station->index];
   return next;
 }
 

@@ -222,14 +222,15 @@ bool RowProblem::look(bool slopes) {
   return std::ranges::all_of(stations_, [](const Station* station) { return station->good; });
 }
 
-void RowProblem::solve(double settled) {
+void RowProblem::solve() {
   constexpr int kIterations = 40;
+  constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
   if (!look()) return;
   ceres::Solver::Options options;
   options.linear_solver_type = stations_.size() > 1 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = options.max_num_consecutive_invalid_steps = kIterations;
-  options.function_tolerance = settled;
+  options.function_tolerance = kSettled;
   ceres::Solver::Summary summary;
   solving_ = first_ = true;
   ceres::Solve(options, &problem_, &summary);

@@ -27,14 +27,13 @@ class RowProblem : ceres::EvaluationCallback {
   /// Looks at the stations, with or without their slopes. False where one of them is none of a blade, or at a
   /// stop.
   bool look(bool slopes = true);
-  /// Chooses the grips, until a step changes the sum of squares by less than this part of it.
-  void solve(double settled = kSettled);
+  /// Chooses the grips.
+  void solve();
   /// Half the sum of squares, the residuals, and their derivatives where these are asked for; all stations
   /// are looked at. Empty where one of them is none of a blade.
   std::optional<double> evaluate(std::vector<double>& residuals, ceres::CRSMatrix* slopes = nullptr);
 
  private:
-  static constexpr double kSettled = 1e-4;
   void PrepareForEvaluation(bool slopes, bool isNew) override;
   /// Takes stations back to where the solver stands, whose last step is mostly none that it takes.
   void stepBack();

@@ -34,7 +34,7 @@ constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles 
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
 constexpr double kPushed = 10;  // of a barrier whose cube root, as a part of that asked for, lacks 1, with
-constexpr double kPushReserve = 0.03;
+constexpr double kPushReserve = 0.05;
 constexpr double kNearBlock = 0.2;  // of a grip that is 1 mm nearer to the block than it need be,
 constexpr double kRoom = 0.5;       // mm, with as much in reserve
 
@@ -52,13 +52,12 @@ constexpr double kTurned = 0.02 * kDegree;
 
 }  // namespace
 
-Row::Row(const Sweep& sweep, const RunContext& context, double rounded)
+Row::Row(const Sweep& sweep, const RunContext& context)
     : sweep_(sweep),
       context_(context),
       length_(sweep.request.blade.length),
       unit_(0.25 * length_),
       limit_(kAtLimit * sweep.request.blade.maxCurvature()),
-      rounded_(rounded),
       passed_(sweep.block),
       foam_(sweep) {
   // Planes that turn, or meet the block obliquely, may pass its corners anywhere.
@@ -81,10 +80,8 @@ bool Row::isFirm(const Station& station) const {
 }
 
 bool Row::isBounded(const Station& station, const Elastica& light) const {
-  const double pushed = 0.5 * kPushed * rounded_ * sweep_.request.tolerance;  // with the reserve left
   return light.maxCurvature() > kNearLimit * limit_ ||
-         station.own.segment<kStationPasses>(kStationBarriers).maxCoeff() > pushed ||
-         station.own.tail<kStationMargins>().maxCoeff() > 0;
+         station.own.tail<kStationPasses + kStationMargins>().maxCoeff() > 0;
 }
 
 Result<Elastica> Row::about(const Station& station) const {
@@ -518,13 +515,11 @@ void Row::push(Station& station, bool slopes) const {
     station.passes[k] = std::move(*pass);
     constexpr double kLeast = 1e-6;  // of what is asked for
     const double part = std::cbrt(std::max(height.energy / asked, kLeast)), missing = 1 + kPushReserve - part;
-    const double round = std::hypot(missing, rounded_);
-    if (missing + round <= 0) continue;
+    if (missing <= 0) continue;
     const Eigen::Index row = kStationBarriers + Eigen::Index(k);
-    station.own(row) = 0.5 * weight * (missing + round);
+    station.own(row) = weight * missing;
     if (slopes)
-      station.byOwn.row(row) = -0.5 * weight * (1 + missing / round) / (3 * part * part * asked) *
-                               height.byGrips * station.byGrips;
+      station.byOwn.row(row) = -weight / (3 * part * part * asked) * height.byGrips * station.byGrips;
   }
 }
 

@@ -93,9 +93,7 @@ struct Station {
 /// Looks at stations.
 class Row {
  public:
-  /// What a low barrier costs begins over `rounded` of that asked for: steps from far then do not go over the
-  /// bound and back. Those from near, along slopes that stay, need a sharp bound.
-  Row(const Sweep& sweep, const RunContext& context, double rounded = 0);
+  Row(const Sweep& sweep, const RunContext& context);
 
   /// A station as the row has it; empty where its blade does not rest near its section.
   std::optional<Station> standing(std::size_t i) const;
@@ -173,7 +171,6 @@ class Row {
   const Sweep& sweep_;
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
-  double rounded_;                ///< of a barrier
   Box passed_;                    ///< the block, going on along the travel
   InFoam foam_;
 };
