@@ -173,6 +173,9 @@ TEST_F(VersionsTest, AreNotLostToAnExportInTheirPlace) {
   EXPECT_TRUE(window().banner().text().contains("has named versions, which would be lost"))
       << window().banner().text().toStdString();
   EXPECT_EQ(loadDesign(path("out") / "design.bladewright").value().versions.size(), 1u);
+  bench().exportAll(path("other"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
+  EXPECT_TRUE(loadDesign(path("other") / "design.bladewright").value().versions.empty());
   // Nor is what is locked.
   window().commands()["edit.undo"]->trigger();
   ASSERT_TRUE(bench().design().versions.empty());
@@ -186,9 +189,6 @@ TEST_F(VersionsTest, AreNotLostToAnExportInTheirPlace) {
   EXPECT_TRUE(window().banner().text().contains("hides or locks parts, which would be lost"))
       << window().banner().text().toStdString();
   EXPECT_EQ(loadDesign(path("out") / "design.bladewright").value().marks, marks);
-  bench().exportAll(path("other"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().exporting(); }, kPatience));
-  EXPECT_TRUE(loadDesign(path("other") / "design.bladewright").value().versions.empty());
 }
 
 TEST_F(VersionsTest, OneStandsBesideThePresentUnderOneLegend) {
