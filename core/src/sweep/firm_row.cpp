@@ -75,10 +75,12 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
     if (station && station->good) standing.push_back(&*station);
   if (standing.empty()) return next;
   sweep::settle(row, standing);
-  for (const Station* station : standing)
-    if (const std::optional<Elastica> light = row.holds(*station) ? row.light(*station) : std::nullopt)
-      if (!sweep::put(row, *station, *light, next)) next.fits[station->index] = before.fits[station->index];
-  return next;
+  const Result<void> done = parallelFor(context, int(standing.size()), [&](int k) {
+    const Station& station = *standing[std::size_t(k)];
+    if (const std::optional<Elastica> light = row.holds(station) ? row.light(station) : std::nullopt)
+      if (!sweep::put(row, station, *light, next)) next.fits[station.index] = before.fits[station.index];
+  });
+  return done ? next : before;
 }
 
 /// True if a blade keeps the margins that are asked for.

@@ -35,8 +35,9 @@ constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than aske
 constexpr double kReserve = 0.02;
 constexpr double kPushed = 10;  // of a barrier whose cube root, as a part of that asked for, lacks 1, with
 constexpr double kPushReserve = 0.05;
-constexpr double kNearBlock = 0.2;  // of a grip that is 1 mm nearer to the block than it need be,
-constexpr double kRoom = 0.5;       // mm, with as much in reserve
+constexpr double kPushJustMet = 0.02;  // beyond that: costs nothing, but a step that loses it would
+constexpr double kNearBlock = 0.2;     // of a grip that is 1 mm nearer to the block than it need be,
+constexpr double kRoom = 0.5;          // mm, with as much in reserve
 
 constexpr double kNearLimit = 0.97;       // of the curvature that it bears: from there on the bound is felt
 constexpr double kWatched = 0.25;         // beyond what is asked for no margin is looked at
@@ -515,9 +516,9 @@ void Row::push(Station& station, bool slopes) const {
     station.passes[k] = std::move(*pass);
     constexpr double kLeast = 1e-6;  // of what is asked for
     const double part = std::cbrt(std::max(height.energy / asked, kLeast)), missing = 1 + kPushReserve - part;
-    if (missing <= 0) continue;
+    if (missing <= -kPushJustMet) continue;
     const Eigen::Index row = kStationBarriers + Eigen::Index(k);
-    station.own(row) = weight * missing;
+    station.own(row) = weight * std::max(0.0, missing);
     if (slopes)
       station.byOwn.row(row) = -weight / (3 * part * part * asked) * height.byGrips * station.byGrips;
   }
