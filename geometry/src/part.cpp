@@ -8,6 +8,9 @@
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -16,6 +19,7 @@
 #include <Message_ProgressIndicator.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeReal.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -87,11 +91,37 @@ struct Piece {
   bool film = false;
 };
 
-double volumeOf(const TopoDS_Shape& solid) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(solid, properties, kVolume);
-  return properties.Mass();
-}
+/// Volumes of solids, as sums over their faces of what lies between each and one point. What parts two solids
+/// bounds both, and is integrated once.
+class Volumes {
+ public:
+  explicit Volumes(const gp_Pnt& from) : from_(from) {}
+
+  double of(const TopoDS_Shape& solid) {
+    double volume = 0;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+      const TopAbs_Orientation side = it.Current().Orientation();
+      if (side != TopAbs_FORWARD && side != TopAbs_REVERSED) continue;
+      if (!known_.IsBound(it.Current())) known_.Bind(it.Current(), behind(TopoDS::Face(it.Current())));
+      volume += (side == TopAbs_FORWARD ? 1 : -1) * known_.Find(it.Current());
+    }
+    return volume;
+  }
+
+ private:
+  double behind(const TopoDS_Face& either) const {
+    const TopoDS_Face face = TopoDS::Face(either.Oriented(TopAbs_FORWARD));
+    BRepGProp_Face surface(face);
+    BRepGProp_Domain domain(face);
+    BRepGProp_Vinert share;
+    share.SetLocation(from_);
+    share.Perform(surface, domain, kVolume);
+    return share.Mass();
+  }
+
+  gp_Pnt from_;
+  TopTools_DataMapOfShapeReal known_;
+};
 
 bool isFilm(const TopoDS_Shape& solid, double volume) {
   constexpr double kClearly = 4;  // times as thick, with as many points of each face as its degree asks for
@@ -360,6 +390,8 @@ class Carving {
     const Result<Split> cut = split(pieces, knife, context);
     if (!cut) return tl::unexpected(cut.error());
     Halves halves;
+    // From beside the block no face is looked at edge on.
+    Volumes volumes(toPoint(2 * block_.frame.origin - block_.center()));
     for (const TopoDS_Shape& solid : cut->solids) {
       if (auto ok = checkEnds(solid, knife); !ok) return tl::unexpected(ok.error());
       Result<std::optional<bool>> stays = keptByFaces(solid, *cut, knife);
@@ -369,7 +401,7 @@ class Carving {
         if (!passed) return tl::unexpected(passed.error());
         *stays = *passed;
       }
-      const double volume = volumeOf(solid);
+      const double volume = volumes.of(solid);
       (**stays ? halves.kept : halves.removed).push_back({solid, volume, isFilm(solid, volume)});
     }
     if (auto ok = checkVolumes(pieces, halves, knife); !ok) return tl::unexpected(ok.error());

@@ -151,6 +151,7 @@ std::string Sentences::operator()(const UnknownInWeight& cause) const {
 static std::string onTheWay(const Finding& finding, const std::string& atStations) {
   const StationRange& range = *finding.where.stations;
   if (range.count > 0) return atStations;
+  if (range.first < 0 && range.last < 0) return "all along, from the way in to the way out, ";
   if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
   if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
   if (range.first == range.last) return "beside " + stationName(range.first) + " ";
@@ -485,7 +486,8 @@ std::string Sentences::operator()(const LostOnTheWay& cause) const {
 std::string Sentences::operator()(const TooFarOnTheWay& cause) const {
   return "between the stations, as the robots move it, the blade is up to " + mm(cause.deviation) +
          " from the target (tolerance " + mm(cause.tolerance) + "); " +
-         moreStationsText(finding, "take more stations");
+         moreStationsText(finding, "take more stations") +
+         ", or a smaller motion tolerance, which sets the targets more closely";
 }
 
 std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {

@@ -412,6 +412,28 @@ Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own) {
   return rests;
 }
 
+std::optional<HeavyBlade> acrossFrom(const HeavyBlade& blade) {
+  constexpr int kAbrupt = 8;  // how soon after its ends, which stay, the image is that of the chord
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const Hold hold = equationsOf(blade).hold();
+  const heavy::Modes& modes = modesOf(1);
+  const Eigen::ArrayXd evenly = n.startAngle + n.turning * modes.nodes.array();
+  const double toChord = std::atan2(hold.chord.y(), hold.chord.x()) - (n.startAngle + 0.5 * n.turning);
+  const double chord = n.startAngle + 0.5 * n.turning + std::remainder(toChord, 2 * kPi);
+  const Eigen::ArrayXd within = 1 - (2 * modes.nodes.array() - 1).pow(kAbrupt);
+  const VectorXd own = n.coefficients.head(modes.count());
+  const VectorXd turned = modes.values * (modes.weights.array() * 2 * within * (chord - evenly)).matrix();
+  const Shape image{modes.squares.llt().solve(turned) - own, n.endForce * (n.length * n.length)};
+  std::optional<Shape> shape = heavy::fall(hold, image, VectorXd::Zero(modes.count()));
+  if (!shape || (shape->coefficients.head(modes.count()) - own).norm() < kSameShape) return {};
+  shape = heavy::refined(hold, *shape, heavy::kExact);
+  if (!shape) return {};
+  HeavyBlade::Numbers other = n;
+  other.coefficients = shape->coefficients;
+  other.endForce = shape->force / (n.length * n.length);
+  return HeavyBlade(std::move(other));
+}
+
 double largestSag(double length, double chord) {
   return std::sqrt(0.375 * std::max(0.0, length - chord) * length);
 }

@@ -76,8 +76,23 @@ class Others {
         if (!move) return forget(i, to);
         if (move->snapped) return;
       }
-      see(i, branch.blade(), stiffness);
+      see(i, branch.blade());
     }
+  }
+
+  /// What begins and ends between stations that were searched: arches that are flat enough there to hang
+  /// through, and only there.
+  void seekAcross(std::size_t i) {
+    const BladePose& pose = sweep_.poses[i];
+    if (stations_[i].other || !isKnown(sweep_, i) || isTaut(pose)) return;
+    const std::optional<HeavyBranch> own = sweep::standing(sweep_, pose);
+    if (!own) return;
+    const std::optional<HeavyBlade> blade = acrossFrom(own->blade());
+    // The search tells the higher ones.
+    const double energy = stations_[i].energy;
+    if (blade &&
+        sweep_.request.blade.flexuralRigidity() * blade->energy() <= energy + kClearGap * std::abs(energy))
+      see(i, *blade);
   }
 
   /// A shape was lost: of what is there nothing is claimed, but where there can be none.
@@ -87,10 +102,10 @@ class Others {
   }
 
  private:
-  void see(std::size_t i, const HeavyBlade& blade, double stiffness) {
+  void see(std::size_t i, const HeavyBlade& blade) {
     if (!isKnown(sweep_, i)) return;
     std::optional<OtherRest>& lowest = stations_[i].other;
-    const double energy = stiffness * blade.energy();
+    const double energy = sweep_.request.blade.flexuralRigidity() * blade.energy();
     if (lowest && lowest->energy <= energy) return;
     const double distance = sweep::apart(sweep_.poses[i], blade);
     if (distance <= kSameShape) return;
@@ -231,6 +246,8 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     if (!std::isfinite(onward[0][i].energy + onward[1][i].energy)) row.stations[i].energy = kUnknown;
     row.stations[i].other = !a || (b && b->energy < a->energy) ? b : a;
   }
+  ok = parallelFor(context, int(n), [&](int i) { Others(sweep, row.stations).seekAcross(std::size_t(i)); });
+  if (!ok) return tl::unexpected<Error>(ok.error());
   // Where one was lost on the way all are sought once more, and followed as far as nothing is known.
   const auto isLost = [&](std::size_t i) {
     return isKnown(sweep, i) && !std::isfinite(row.stations[i].energy);

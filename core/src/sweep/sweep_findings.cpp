@@ -216,7 +216,7 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       [&](const Stretch& at) -> Told { return {UnknownInWeight{fits[at.worst].unknown}}; });
   report(
       Severity::info,
-      [&](Index i) { return !sinks(i) && seen[i].movedByWeight > kToldOfWeight * request.tolerance; },
+      [&](Index i) { return !fits[i].snapsAt && seen[i].movedByWeight > kToldOfWeight * request.tolerance; },
       [&](Index i) { return seen[i].movedByWeight; },
       [&](const Stretch& at) -> Told { return {MovedByWeight{seen[at.worst].movedByWeight}}; });
   const auto sideways = [&](Index i) { return seen[i].sideways; };

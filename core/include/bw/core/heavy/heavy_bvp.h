@@ -127,6 +127,10 @@ struct HeavyRests {
 /// of `solveAllHeavy`. Some 20 ms.
 Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own);
 
+/// What a blade at rest falls into from its mirror image in the chord, its ends being held as they are: what
+/// lies across from an arch, if it could rest there, too. Empty where it falls back. About a millisecond.
+std::optional<HeavyBlade> acrossFrom(const HeavyBlade& blade);
+
 /// How much energy an unstable shape, a pass, has more than a blade between the same grips, and how that
 /// changes with these.
 struct HeavyPassHeight {
