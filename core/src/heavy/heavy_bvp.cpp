@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bw/core/heavy/heavy_bvp.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
