@@ -67,8 +67,10 @@ void tellSummary(const pipeline::Evaluation& e) {
   std::cerr << (e.blocks.size() > 1 ? std::to_string(e.blocks.size()) + " blocks, " : "") << all.stations
             << " stations; deviation max " << shortText(s.deviationMax) << " mm (between stations "
             << (all.programMax ? shortText(*all.programMax) + " mm" : "not known") << "), mean "
-            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance"
-            << (all.programMax > e.design.process.tolerance ? " at the stations, more between them, " : ", ")
+            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance)
+            << (all.programMax > e.design.process.tolerance
+                    ? " of the surface shown within tolerance (the blade between its stations is not), "
+                    : " within tolerance, ")
             << shareText(all.covered) << " of the surface covered (farthest beyond the cut "
             << shortText(all.uncovered) << " mm); ";
   if (all.fromShown)

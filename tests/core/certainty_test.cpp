@@ -26,22 +26,14 @@ constexpr double kHalf = 300, kApart = 13;
 /// Arches of so many mm in their middle, over a flat blade.
 template <class Height>
 Sweep arches(int stations, double length, const Height& height) {
-  test::RowSettings settings;
-  settings.blade = Blade();
-  settings.blade.section = Blade::Section::flat;
-  settings.blade.width = 5;
-  settings.blade.thickness = 1;
-  settings.blade.density = 8300;
-  settings.blade.length = length;
-  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
   const Box block = test::blockUnder(kHalf, kApart * (stations - 1), -kHalf, kHalf);
   const std::vector<Section> sections = test::sectionsOf(stations, kApart, [&](int i) {
     const double high = height(i);
     return test::graphCurve(kHalf, [high](double x) { return high * (1 - x * x / (kHalf * kHalf)); });
   });
   Findings findings;
-  Result<Sweep> sweep =
-      buildSweep(sections, settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  Result<Sweep> sweep = buildSweep(sections, test::flatRow(length), block,
+                                   PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
   return std::move(*sweep);
 }

@@ -43,15 +43,8 @@ std::vector<Section> waves(double phase, double lift = 0) {
 }
 
 test::RowSettings flat(double length, double barrier) {
-  test::RowSettings settings;
-  settings.blade = Blade();
-  settings.blade.section = Blade::Section::flat;
-  settings.blade.width = 5;
-  settings.blade.thickness = 1;
-  settings.blade.density = 8300;
-  settings.blade.length = length;
+  test::RowSettings settings = test::flatRow(length);
   settings.barrier = barrier;
-  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
   return settings;
 }
 

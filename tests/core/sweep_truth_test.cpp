@@ -31,15 +31,7 @@ using Eigen::Vector3d;
 
 constexpr double kHalf = 250;
 
-Blade flatBlade(double length) {
-  Blade blade;
-  blade.section = Blade::Section::flat;
-  blade.width = 5;
-  blade.thickness = 1;
-  blade.density = 8300;
-  blade.length = length;
-  return blade;
-}
+using test::flatBlade;
 
 struct Row {
   Result<Sweep> sweep = fail(ErrorCode::internal, "not made");

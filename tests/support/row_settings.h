@@ -21,6 +21,25 @@ struct RowSettings : FitRequest {
   operator MotionRequest() const { return {cuttingSpeed, lead, motionTolerance}; }        // NOLINT
 };
 
+/// A flat NiCr blade of 5 × 1 mm; `length` in mm.
+inline Blade flatBlade(double length) {
+  Blade blade;
+  blade.section = Blade::Section::flat;
+  blade.width = 5;
+  blade.thickness = 1;
+  blade.density = 8300;
+  blade.length = length;
+  return blade;
+}
+
+/// A row of these, which hang down in their weight.
+inline RowSettings flatRow(double length) {
+  RowSettings settings;
+  settings.blade = flatBlade(length);
+  settings.weight = -settings.blade.weight() * Eigen::Vector3d::UnitZ();
+  return settings;
+}
+
 /// A sweep that is checked and then compared with its target, its surface being that through its stations.
 inline Result<SweepAnalysis> analysisOf(const Sweep& sweep, const CheckRequest& request,
                                         const SurfaceSampler& target, const RunContext& context = {}) {

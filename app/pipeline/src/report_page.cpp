@@ -107,7 +107,7 @@ void limits(Page& page, const Evaluation& e) {
   page.begin({"Number", "Value"});
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
-  page.row({"Cut surface within tolerance, at the stations", shareText(s.withinTolerance)});
+  page.row({"Surface shown within tolerance", shareText(s.withinTolerance)});
   page.row({"Target in the block that has cut surface over it", shareText(all.covered)});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",

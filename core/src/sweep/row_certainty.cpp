@@ -84,7 +84,7 @@ class Others {
   /// through, and only there.
   void seekAcross(std::size_t i) {
     const BladePose& pose = sweep_.poses[i];
-    if (stations_[i].other || !isKnown(sweep_, i) || isTaut(pose)) return;
+    if (!stations_[i].certain() || !isKnown(sweep_, i) || isTaut(pose)) return;
     const std::optional<HeavyBranch> own = sweep::standing(sweep_, pose);
     if (!own) return;
     const std::optional<HeavyBlade> blade = acrossFrom(own->blade());
@@ -246,8 +246,6 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     if (!std::isfinite(onward[0][i].energy + onward[1][i].energy)) row.stations[i].energy = kUnknown;
     row.stations[i].other = !a || (b && b->energy < a->energy) ? b : a;
   }
-  ok = parallelFor(context, int(n), [&](int i) { Others(sweep, row.stations).seekAcross(std::size_t(i)); });
-  if (!ok) return tl::unexpected<Error>(ok.error());
   // Where one was lost on the way all are sought once more, and followed as far as nothing is known.
   const auto isLost = [&](std::size_t i) {
     return isKnown(sweep, i) && !std::isfinite(row.stations[i].energy);
@@ -263,6 +261,8 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     Others others(sweep, row.stations);
     for (const HeavyBlade& blade : all->shapes) others.follow(blade, i, to);
   }
+  ok = parallelFor(context, int(n), [&](int i) { Others(sweep, row.stations).seekAcross(std::size_t(i)); });
+  if (!ok) return tl::unexpected<Error>(ok.error());
   // How little brings it over, at the stations that were searched, where it is known by now, and where that
   // is most needed.
   std::vector<std::size_t> asked;

@@ -378,7 +378,7 @@ void MainWindow::refreshSummary() {
       {{tr("Unit mm")},
        {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))), 4,
         broken.deviation || broken.between},
-       {(broken.between ? tr("%1 within tolerance at the stations") : tr("%1 within tolerance"))
+       {(broken.between ? tr("%1 of the surface shown within tolerance") : tr("%1 within tolerance"))
             .arg(percentText(s.withinTolerance)),
         3, broken.deviation || broken.between},
        {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
