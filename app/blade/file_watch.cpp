@@ -16,18 +16,13 @@ constexpr int kLooksAlike = 4;                         // until what is written 
 
 }  // namespace
 
-void FileWatch::add(const std::filesystem::path& file) { states_[file] = stateOf(file); }
+using pipeline::FileStamp;
 
-FileWatch::State FileWatch::stateOf(const std::filesystem::path& file) {
-  std::error_code timeError, sizeError;
-  const auto time = std::filesystem::last_write_time(file, timeError);
-  const std::uintmax_t size = std::filesystem::file_size(file, sizeError);
-  return timeError || sizeError ? State() : State({time, size});
-}
+void FileWatch::add(const std::filesystem::path& file) { states_[file] = FileStamp::of(file); }
 
 FileWatch::States FileWatch::now() const {
   States states;
-  for (const auto& [file, state] : states_) states[file] = stateOf(file);
+  for (const auto& [file, state] : states_) states[file] = FileStamp::of(file);
   return states;
 }
 

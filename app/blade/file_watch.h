@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <stop_token>
 #include <string>
-#include <utility>
+
+#include "bw/pipeline/requests.h"
 
 namespace bw::cli {
 
@@ -24,10 +23,7 @@ class FileWatch {
   std::string names() const;
 
  private:
-  /// Time of the last change and size; empty where there is none.
-  using State = std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
-  using States = std::map<std::filesystem::path, State>;
-  static State stateOf(const std::filesystem::path& file);
+  using States = std::map<std::filesystem::path, pipeline::FileStamp>;
   States now() const;
 
   States states_;

@@ -326,8 +326,8 @@ TEST(Designed, AWatchedDesignIsWrittenAgainWhenItIsSaved) {
   json other = json::parse(slurp(exampleIn(folder, "ripple-along")));
   other["variables"][0]["value"] = 12.5;
   folder.write("other.bladewright", other.dump());
-  // A shell waits for the first results, saves a broken design, one with another variable, and ends the
-  // watch.
+  // A shell waits for the first results, saves a broken design, one with another variable, one as large whose
+  // time is set back, and ends the watch.
   const Finished run = shell("cd '" + (folder / "") + "' || exit" + R"sh(
     $BLADE design ripple-along.bladewright --out out --watch 2> err.txt & watch=$!
     await() {
@@ -339,12 +339,16 @@ TEST(Designed, AWatchedDesignIsWrittenAgainWhenItIsSaved) {
     await 1; cp out/report.json first.json
     echo '{' > ripple-along.bladewright; await 2
     cp other.bladewright ripple-along.bladewright; await 3; cp out/report.json second.json
+    written=$(stat -c %y ripple-along.bladewright)
+    sed 's/12\.5/11.5/' other.bladewright > ripple-along.bladewright
+    touch -d "$written" ripple-along.bladewright; await 4; cp out/report.json third.json
     kill -TERM $watch; wait $watch; echo $?)sh");
   const std::string said = slurp(folder / "err.txt");
   EXPECT_EQ(run.out, "130\n") << said;
   EXPECT_NE(said.find("changed; once more"), std::string::npos) << said;
   EXPECT_NE(json::parse(slurp(folder / "first.json"))["variables"]["amplitude"], 12.5);
   EXPECT_EQ(json::parse(slurp(folder / "second.json"))["variables"]["amplitude"], 12.5) << said;
+  EXPECT_EQ(json::parse(slurp(folder / "third.json"))["variables"]["amplitude"], 11.5) << said;
 }
 
 TEST(Designed, WhatAWatchWritesItselfIsNotWatched) {

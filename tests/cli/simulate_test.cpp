@@ -75,6 +75,19 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
   EXPECT_EQ(slurp(folder / "sim/cut.obj").substr(0, 1), "#");
 }
 
+TEST(Simulate, WhatIsWithinToleranceIsToldOfTheSurfaceShownWhereTheBladeBetweenIsNot) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 6, "motion_tolerance": 50})");
+  const Finished made =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  EXPECT_NE(made.err.find(" of the surface shown within tolerance (the blade between its stations is not)"),
+            std::string::npos)
+      << made.err;
+  EXPECT_NE(made.err.find("; take more stations, or a smaller motion tolerance"), std::string::npos);
+  const Finished run = blade({"simulate", folder / "out/programs/strip-0/motion.json"});
+  EXPECT_EQ(run.status, 1) << run.err;
+}
+
 /// Width and height of a PNG; 0 for what is none.
 std::pair<int, int> sizeOf(const std::string& png) {
   if (png.size() < 24 || png.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {0, 0};

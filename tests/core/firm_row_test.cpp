@@ -20,7 +20,9 @@
 #include "plane_sections.h"
 #include "row_settings.h"
 #include "sweep/firm_row.h"
+#include "sweep/held_blade.h"
 #include "sweep/row_station.h"
+#include "sweep/smooth_way.h"
 
 namespace bw {
 namespace {
@@ -94,6 +96,40 @@ TEST(FirmRow, ABladeBearsAPushWhereTheToleranceLetsIt) {
     if (station.barrier) told = std::min(told.value_or(1e300), *station.barrier);
   ASSERT_TRUE(told);
   EXPECT_NEAR(*told, *leastBarrier(*firm->row), 1e-6);
+}
+
+/// N mm: the least on the ways between stations, by a search of all shapes at three places of each.
+double leastBetween(const Sweep& row, const RowCertainty& told) {
+  const sweep::SmoothWay smooth(row);
+  const double stiffness = row.request.blade.flexuralRigidity();
+  double least = 1e300;
+  EXPECT_EQ(told.between.size() + 1, row.poses.size());
+  for (std::size_t i = 0; i + 1 < row.poses.size(); ++i) {
+    std::optional<HeavyBranch> own = sweep::standing(row, row.poses[i]);
+    double here = 1e300;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const std::optional<BladePose> pose =
+          smooth.at(std::lerp(row.poses[i].travel, row.poses[i + 1].travel, share));
+      EXPECT_TRUE(pose && own && own->moveTo(sweep::heldAt(row, *pose))) << i;
+      if (!pose || !own) return 0;
+      const Result<HeavyRivals> rivals = rivalsOf(own->blade(), stiffness);
+      EXPECT_TRUE(rivals) << i;
+      if (rivals && rivals->next && rivals->nextEnergy - rivals->energy < 0.04 * std::abs(rivals->energy))
+        here = std::min(here, rivals->barrier.value_or(0));
+    }
+    EXPECT_NEAR(told.between[i].value_or(here), here, 1e-6) << i;
+    least = std::min(least, here);
+  }
+  return least;
+}
+
+TEST(FirmRow, ABladeBearsThePushBetweenItsStationsToo) {
+  const test::RowSettings settings = flat(760, 1);
+  const Sweep row = rowOf(settings, kTwoWays);
+  const Result<FirmRow> firm = firmRow(row, {});
+  ASSERT_TRUE(firm && firm->row);
+  EXPECT_GE(leastBetween(*firm->row, firm->certainty), settings.barrier);
+  EXPECT_LE(*firm->certainty.leastBarrier(), leastBetween(*firm->row, firm->certainty) + 1e-6);
 }
 
 TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {

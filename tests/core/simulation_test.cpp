@@ -19,6 +19,7 @@
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/run_findings.h"
 #include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
 #include "finding_of.h"
 #include "plane_sections.h"
@@ -419,6 +420,27 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
     EXPECT_EQ(again[i].time, looks[i].time);
     EXPECT_EQ(again[i].barrier, looks[i].barrier);
   }
+  // The place is told once, unless its stations are known to be lost.
+  const Motion motion = tilting(fromSideToSide());
+  EXPECT_EQ(barrierFindings(looks, run, motion, {}).empty(), *least->barrier >= kLeastBarrier);
+  BarrierLook weakest = *least;
+  weakest.barrier = 0.5 * kLeastBarrier;
+  const Findings low = barrierFindings({looks.front(), weakest}, run, motion, {});
+  ASSERT_EQ(low.size(), 1u);
+  const auto& cause = std::get<OtherShape>(low[0].cause);
+  EXPECT_EQ(low[0].severity, Severity::error);
+  EXPECT_EQ(cause.lost, OtherShape::Lost::lowBarrier);
+  EXPECT_EQ(cause.barrier, weakest.barrier);
+  EXPECT_GT(cause.distance, 10);
+  EXPECT_GT(cause.energy, cause.other) << "it is on the wrong side";
+  EXPECT_EQ(low[0].where.stations->count, 0);
+  EXPECT_TRUE(barrierFindings({weakest}, run, motion, low).empty());
+  std::vector<BarrierLook> others = {looks.front()};
+  EXPECT_TRUE(barrierFindings(others, run, motion, {}).empty()) << "it has one shape there";
+  others.front().unsure = true;
+  const Findings unknown = barrierFindings(others, run, motion, {});
+  ASSERT_EQ(unknown.size(), 1u);
+  EXPECT_EQ(std::get<OtherShape>(unknown[0].cause).lost, OtherShape::Lost::unknownBarrier);
   run.blades.clear();
   EXPECT_TRUE(barriersAlong(run, stiffness, {}).value().empty());
   EXPECT_EQ(leastBarrier({}), nullptr);

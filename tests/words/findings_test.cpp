@@ -77,6 +77,14 @@ TEST(Findings, SayWhereABladeCannotBeBetweenStations) {
   EXPECT_EQ(said(WouldTwist{}, StationRange{32, -1, 32, 0})
                 .find("on the way out, after station 33, a round blade would twist"),
             0u);
+  EXPECT_EQ(said(BladeCrosses{true}, StationRange{-1, -1, 0, 0})
+                .find("all along, from the way in to the way out, " + crosses),
+            0u);
+  OtherShape weak;
+  weak.lost = OtherShape::Lost::lowBarrier;
+  EXPECT_EQ(said(weak, StationRange{1, 2, 1, 0})
+                .find("on the way from station 2 to station 3 between these grips the blade rests in "),
+            0u);
 }
 
 TEST(Findings, SayWhereTheSkinLeavesABlade) {

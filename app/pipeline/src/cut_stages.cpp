@@ -664,6 +664,19 @@ Result<void> seeTheRun(const CutWork& work, double& seconds) {
                      });
 }
 
+Result<void> seeBarriers(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const double stiffness = e.sweep.value->request.blade.flexuralRigidity();
+  return work.settle(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value}, seconds,
+                     [&](const NoRequest&, Findings& findings) {
+                       Result<std::vector<BarrierLook>> looks =
+                           barriersAlong(*e.run.value, stiffness, work.context);
+                       if (looks)
+                         findings = barrierFindings(*looks, *e.run.value, *e.motion.value, e.rest.findings);
+                       return looks;
+                     });
+}
+
 Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
   Result<void> ok = checkRow(work);
@@ -688,7 +701,7 @@ Result<void> check(const CutWork& work) {
   if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
   if (ok && e.run.value)
     work.keep(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value});
-  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
+  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value});
   return ok;
 }
 

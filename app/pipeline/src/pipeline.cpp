@@ -299,6 +299,8 @@ Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunC
     done[std::size_t(i)] = runMotion(works[std::size_t(i)], seconds[std::size_t(i)]);
     if (done[std::size_t(i)])
       done[std::size_t(i)] = seeTheRun(works[std::size_t(i)], seconds[std::size_t(i)]);
+    if (done[std::size_t(i)])
+      done[std::size_t(i)] = seeBarriers(works[std::size_t(i)], seconds[std::size_t(i)]);
   });
   for (std::size_t i = 0; ok && i < works.size(); ++i) ok = inCut(e, works[i].cut, done[i]);
   e.seconds.check += std::ranges::max(seconds);
@@ -357,7 +359,7 @@ Findings CutEvaluation::findings() const {
        {&target.findings, &placed.findings, &directions.findings,
         confirmed.value ? &confirmed.findings : &sections.findings, &middle.findings, &sweep.findings,
         &check.findings, &motion.findings, &analysis.findings, &way.findings, &between.findings,
-        &coverage.findings, &ends.findings, &rest.findings, &simulated.findings})
+        &coverage.findings, &ends.findings, &rest.findings, &simulated.findings, &barriers.findings})
     append(all, *list);
   return all;
 }
@@ -580,13 +582,7 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         if (seeTheRun(work, none)) return true;
         if (context.stopped()) return false;
       }
-      if (stages.run.value && !stages.barriers.value) {
-        const Result<void> looked = work.settle(
-            &CutEvaluation::barriers, {}, {stages.run.value}, none, [&](const NoRequest&, Findings&) {
-              return barriersAlong(*stages.run.value, fit.blade.flexuralRigidity(), context);
-            });
-        return looked.has_value();
-      }
+      if (stages.run.value && !stages.barriers.value) return seeBarriers(work, none).has_value();
       if (&stages == mostUnevenCut(e) && !stages.speeds.value)
         return seekSpeeds(e, nullptr, none, context).has_value();
       const BladeLengths* lengths = stages.lengths.value.get();

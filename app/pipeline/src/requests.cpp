@@ -3,8 +3,9 @@
 
 #include "bw/pipeline/requests.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
-#include <system_error>
 
 #include "bw/core/base/units.h"
 #include "bw/core/shape/turning_planes.h"
@@ -113,14 +114,13 @@ MotionRequest motionRequest(const Design& design, const Cut& cut) {
 }
 
 FileStamp FileStamp::of(const std::filesystem::path& file) {
-  std::error_code error;
   FileStamp stamp{file};
-  const auto size = std::filesystem::file_size(file, error);
-  if (error) return stamp;
-  const auto changed = std::filesystem::last_write_time(file, error);
-  if (error) return stamp;
-  stamp.size = size;
-  stamp.changed = std::int64_t(changed.time_since_epoch().count());
+  struct stat now;
+  if (stat(file.c_str(), &now) != 0) return stamp;
+  stamp.size = std::uintmax_t(now.st_size);
+  // Not the time of its contents, which whoever writes may set back.
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  stamp.changed = kSecond * now.st_ctim.tv_sec + now.st_ctim.tv_nsec;
   return stamp;
 }
 

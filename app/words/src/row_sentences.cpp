@@ -449,8 +449,8 @@ std::string Sentences::operator()(const OtherShape& cause) const {
            "it could not be found out whether the blade rests in another shape there too, so that nothing "
            "tells that it is in the one shown" +
            keptText(finding, "take a shorter blade");
-  return at() + "between these grips the blade rests in another shape too, " + mm(cause.distance) +
-         " away, with an energy of " + shortText(cause.other) +
+  return onTheWay(finding, at()) + "between these grips the blade rests in another shape too, " +
+         mm(cause.distance) + " away, with an energy of " + shortText(cause.other) +
          " N mm (this one: " + shortText(cause.energy) + " N mm" +
          (cause.barrier ? "; a push of " + shortText(*cause.barrier, 2) + " N mm brings it from here there"
                         : "") +

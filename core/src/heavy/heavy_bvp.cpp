@@ -351,8 +351,7 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
   return answer;
 }
 
-Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work) {
-  const WorkMeter meter(work);
+HeavyProblem holdOf(const HeavyBlade& blade, double stiffness) {
   const HeavyBlade::Numbers& n = blade.numbers();
   HeavyProblem problem{{}, stiffness, stiffness * n.load};
   problem.grips.start = n.start;
@@ -361,6 +360,13 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   problem.grips.endAngle = n.startAngle + n.turning;
   problem.grips.turning = n.turning;
   problem.grips.length = n.length;
+  return problem;
+}
+
+Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work) {
+  const WorkMeter meter(work);
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const HeavyProblem problem = holdOf(blade, stiffness);
   const Result<Unit> unit = check(problem, {});
   if (!unit) return tl::unexpected<Error>(unit.error());
   const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, {});

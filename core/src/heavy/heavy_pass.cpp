@@ -63,4 +63,16 @@ std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& hel
   return HeavyBlade(std::move(next));
 }
 
+std::vector<HeavyPass> passesOver(std::span<const HeavyBlade> passes, const HeavyBlade& blade,
+                                  double stiffness) {
+  const HeavyProblem held = holdOf(blade, stiffness);
+  std::vector<HeavyPass> over;
+  for (const HeavyBlade& pass : passes)
+    if (std::optional<HeavyBlade> there = passAt(pass, held)) {
+      const double height = heightOf(*there, blade, stiffness).energy;
+      over.push_back({std::move(*there), height});
+    }
+  return over;
+}
+
 }  // namespace bw

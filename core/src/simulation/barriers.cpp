@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <utility>
 
 #include "bw/core/heavy/heavy_bvp.h"
 
@@ -15,7 +15,7 @@ namespace bw {
 namespace {
 
 constexpr std::size_t kSpread = 9;  // looks over the whole run
-constexpr int kNearer = 3;  // rounds, each halving the way from the least barrier to the looks beside it
+constexpr std::size_t kStride = 2;  // moments to the next at which passes are followed
 constexpr double kSameShape = 0.5;  // mm
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
 constexpr int kPlaces = 41;         // of a blade, at which it is held against another
@@ -28,45 +28,145 @@ double apart(const HeavyBlade& a, const HeavyBlade& b) {
   return farthest;
 }
 
-BarrierLook lookAt(const SimulatedBlade& at, double stiffness) {
-  BarrierLook look{at.time, at.instant};
-  const HeavyBlade& blade = at.blade;
+/// True for one that can leave the straight line by so little that it has one shape.
+bool isTaut(const HeavyBlade& blade) {
   const double length = blade.length();
-  // One that can leave the straight line by so little has one shape.
-  if (largestSag(length, (blade.at(length).point - blade.at(0).point).norm()) < 0.5 * kSameShape) return look;
-  const Result<HeavyRivals> rivals = rivalsOf(blade, stiffness);
-  look.unsure = !rivals || (rivals->next &&
-                            rivals->nextEnergy - rivals->energy <= kClearGap * std::abs(rivals->energy) &&
-                            apart(blade, *rivals->next) > kSameShape);
-  if (rivals && look.unsure) look.barrier = rivals->barrier;
-  return look;
+  return largestSag(length, (blade.at(length).point - blade.at(0).point).norm()) < 0.5 * kSameShape;
 }
 
-/// Moments spread over the run, and between each two of them that of the least margin.
-std::vector<std::size_t> firstLooks(const std::vector<SimulatedBlade>& blades) {
-  std::vector<std::size_t> looks = {0};
-  for (std::size_t k = 1; k < kSpread; ++k) {
-    const std::size_t from = looks.back(), to = (blades.size() - 1) * k / (kSpread - 1);
-    std::size_t least = from;
-    for (std::size_t i = from + 1; i < to; ++i)
-      if (least == from || blades[i].margin < blades[least].margin) least = i;
-    looks.push_back(least);
-    looks.push_back(to);
+/// What was found out at a moment.
+struct Look {
+  BarrierLook told;
+  std::vector<HeavyBlade> passes = {};
+  bool whole = false;  ///< all shapes were sought; else passes were followed there
+  /// Of one that was followed towards a moment at which nothing is unsure: that moment. On the way there the
+  /// other shape becomes clearly higher.
+  std::optional<std::size_t> until = std::nullopt;
+};
+/// By the places of their blades.
+using Looks = std::map<std::size_t, Look>;
+
+class Looker {
+ public:
+  Looker(const Simulation& run, double stiffness) : run_(run), stiffness_(stiffness) {}
+
+  Look at(std::size_t i) const {
+    const SimulatedBlade& at = run_.blades[i];
+    Look look{{at.time, at.instant}};
+    look.whole = true;
+    if (isTaut(at.blade)) return look;
+    Result<HeavyRivals> rivals = rivalsOf(at.blade, stiffness_);
+    look.told.unsure = !rivals;
+    if (!rivals || !rivals->next) return look;
+    look.told.energy = rivals->energy;
+    look.told.other = rivals->nextEnergy;
+    look.told.distance = apart(at.blade, *rivals->next);
+    look.told.unsure = rivals->nextEnergy - rivals->energy <= kClearGap * std::abs(rivals->energy) &&
+                       look.told.distance > kSameShape;
+    if (!look.told.unsure) return look;
+    look.told.barrier = rivals->barrier;
+    look.passes = std::move(rivals->passes);
+    return look;
   }
-  return looks;
-}
 
-/// The moments half way from the least barrier to the looks beside it.
-std::vector<std::size_t> besideLeast(const std::map<std::size_t, BarrierLook>& looks) {
+  /// Moments spread over the run, and between each two of them that of the least margin.
+  std::vector<std::size_t> spread() const {
+    const std::vector<SimulatedBlade>& blades = run_.blades;
+    std::vector<std::size_t> places = {0};
+    for (std::size_t k = 1; k < kSpread; ++k) {
+      const std::size_t from = places.back(), to = (blades.size() - 1) * k / (kSpread - 1);
+      std::size_t least = from;
+      for (std::size_t i = from + 1; i < to; ++i)
+        if (least == from || blades[i].margin < blades[least].margin) least = i;
+      places.push_back(least);
+      places.push_back(to);
+    }
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
+  /// The passes of either look followed to the middle between the two, and all the way to one at which
+  /// nothing is unsure.
+  Looks between(std::size_t a, const Look& first, std::size_t b, const Look& last) const {
+    Looks found;
+    const std::size_t middle = (a + b) / 2;
+    follow(first, a, last.told.unsure ? middle : b - 1, last.told.unsure ? std::nullopt : std::optional(b),
+           found);
+    follow(last, b, first.told.unsure ? middle : a + 1, first.told.unsure ? std::nullopt : std::optional(a),
+           found);
+    return found;
+  }
+
+ private:
+  void follow(const Look& from, std::size_t start, std::size_t end, std::optional<std::size_t> until,
+              Looks& found) const {
+    std::vector<HeavyBlade> passes = from.passes;
+    const bool ahead = end > start;
+    for (std::size_t i = start; i != end && !passes.empty();) {
+      const std::size_t left = ahead ? end - i : i - end, step = std::min(kStride, left);
+      const std::size_t next = ahead ? i + step : i - step;
+      const SimulatedBlade& at = run_.blades[next];
+      if (snaps(run_.blades[i].time, at.time) || isTaut(at.blade)) return;
+      const std::vector<HeavyPass> over = passesOver(passes, at.blade, stiffness_);
+      passes.clear();
+      std::optional<double> barrier;
+      for (const HeavyPass& pass : over) {
+        barrier = std::min(barrier.value_or(pass.height), pass.height);
+        passes.push_back(pass.shape);
+      }
+      if (barrier) {
+        Look& look = found.try_emplace(next, Look{{at.time, at.instant, true, barrier}}).first->second;
+        look.told.barrier = std::min(*look.told.barrier, *barrier);
+        look.until = until;
+      }
+      i = next;
+    }
+  }
+
+  bool snaps(double a, double b) const {
+    return std::ranges::any_of(run_.snaps, [&](const Simulation::Snap& snap) {
+      return snap.time > std::min(a, b) && snap.time <= std::max(a, b);
+    });
+  }
+
+  const Simulation& run_;
+  double stiffness_;
+};
+
+auto leastOf(Looks& looks) {
   auto least = looks.end();
   for (auto at = looks.begin(); at != looks.end(); ++at)
-    if (at->second.barrier && (least == looks.end() || *at->second.barrier < *least->second.barrier))
+    if (at->second.told.barrier &&
+        (least == looks.end() || *at->second.told.barrier < *least->second.told.barrier))
       least = at;
-  if (least == looks.end()) return {};
-  std::vector<std::size_t> next;
-  if (least != looks.begin()) next.push_back((std::prev(least)->first + least->first) / 2);
-  if (std::next(least) != looks.end()) next.push_back((std::next(least)->first + least->first + 1) / 2);
-  return next;
+  return least;
+}
+
+/// Looks at the least one as at the others, and beside it, until that is the least.
+void confirm(const Looker& looker, std::size_t count, Looks& looks) {
+  for (auto least = leastOf(looks); least != looks.end() && !least->second.whole; least = leastOf(looks)) {
+    const std::size_t here = least->first;
+    const Look was = std::move(least->second);
+    Look look = looker.at(here);
+    // That the search finds none, where a pass is known, tells nothing.
+    const bool higher = !look.told.unsure && look.told.distance > kSameShape;
+    if (look.told.unsure || !(higher || was.until)) {
+      look.told.unsure = true;
+      look.told.barrier = std::min(look.told.barrier.value_or(*was.told.barrier), *was.told.barrier);
+    }
+    const bool unsure = look.told.unsure;
+    least->second = std::move(look);
+    if (!unsure && was.until) {
+      // Nor is anything from here on to where nothing is.
+      const auto [from, to] = std::minmax(here, *was.until);
+      std::erase_if(looks,
+                    [&](const auto& one) { return !one.second.whole && one.first > from && one.first < to; });
+    }
+    if (!unsure) continue;
+    for (const std::size_t beside : {here - 1, here + 1})
+      if (beside < count && !looks.contains(beside)) looks.emplace(beside, looker.at(beside));
+  }
 }
 
 }  // namespace
@@ -74,22 +174,26 @@ std::vector<std::size_t> besideLeast(const std::map<std::size_t, BarrierLook>& l
 Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, double stiffness,
                                                const RunContext& context) {
   const std::vector<SimulatedBlade>& blades = simulation.blades;
-  std::map<std::size_t, BarrierLook> looks;
-  std::vector<std::size_t> next = blades.empty() ? std::vector<std::size_t>() : firstLooks(blades);
-  for (int round = 0; round <= kNearer; ++round) {
-    std::ranges::sort(next);
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    std::erase_if(next, [&](std::size_t i) { return looks.contains(i); });
-    std::vector<BarrierLook> found(next.size());
-    const Result<void> ok = parallelFor(context, int(next.size()), [&](int k) {
-      found[std::size_t(k)] = lookAt(blades[next[std::size_t(k)]], stiffness);
-    });
-    if (!ok) return tl::unexpected<Error>(ok.error());
-    for (std::size_t k = 0; k < next.size(); ++k) looks.emplace(next[k], found[k]);
-    next = besideLeast(looks);
-  }
   std::vector<BarrierLook> all;
-  for (const auto& [blade, look] : looks) all.push_back(look);
+  if (blades.empty()) return all;
+  const Looker looker(simulation, stiffness);
+  const std::vector<std::size_t> places = looker.spread();
+  std::vector<Look> found(places.size());
+  Result<void> ok = parallelFor(context, int(places.size()),
+                                [&](int k) { found[std::size_t(k)] = looker.at(places[std::size_t(k)]); });
+  std::vector<Looks> between(places.size() - 1);
+  if (ok)
+    ok = parallelFor(context, int(between.size()), [&](int k) {
+      const std::size_t i = std::size_t(k);
+      between[i] = looker.between(places[i], found[i], places[i + 1], found[i + 1]);
+    });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  if (context.stopped()) return stoppedError();
+  Looks looks;
+  for (std::size_t k = 0; k < places.size(); ++k) looks.emplace(places[k], std::move(found[k]));
+  for (Looks& some : between) looks.merge(some);
+  confirm(looker, blades.size(), looks);
+  for (const auto& [blade, look] : looks) all.push_back(look.told);
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "bw/core/sweep/row_certainty.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
@@ -126,6 +127,31 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
                         {{}, surface.toTargetAt.place},
                         {}});
   return findings;
+}
+
+Findings barrierFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
+                         const Motion& motion, const Findings& known) {
+  const auto isLost = [](const Finding& finding) {
+    const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+    return other && other->lost != OtherShape::Lost::no;
+  };
+  if (std::ranges::any_of(known, isLost)) return {};
+  const BarrierLook* worst = leastBarrier(looks);
+  const bool low = worst && *worst->barrier < kLeastBarrier;
+  if (!low) {
+    const auto unknown =
+        std::ranges::find_if(looks, [](const BarrierLook& look) { return look.unsure && !look.barrier; });
+    if (unknown == looks.end()) return {};
+    worst = &*unknown;
+  }
+  OtherShape cause{worst->energy, worst->other, worst->distance, worst->barrier};
+  cause.lost = low ? OtherShape::Lost::lowBarrier : OtherShape::Lost::unknownBarrier;
+  const auto there = std::ranges::lower_bound(simulation.blades, worst->time, {}, &SimulatedBlade::time);
+  return {{Severity::error,
+           cause,
+           {besideOf(motion.instants, worst->instant, there->atInstant ? worst->instant : worst->instant + 1),
+            middleOf(*there)},
+           {}}};
 }
 
 }  // namespace bw

@@ -87,7 +87,7 @@ class Trials {
     trial.reaches = true;
     // What is told soonest comes first: to seek other shapes takes ten times as long as all before it.
     if (!look(trial, *sweep, request) || !leads(planEntryExit(*sweep, request.ends, quiet_))) return trial;
-    const Result<FirmRow> firm = firmRow(*sweep, quiet_);
+    const Result<FirmRow> firm = firmRow(*sweep, quiet_, some_.all ? Along::ways : Along::stations);
     if (!firm) return trial;
     const Sweep& row = firm->row ? *firm->row : *sweep;
     if (firm->row && !look(trial, row, request)) return trial;

@@ -21,14 +21,16 @@ using sweep::Station;
 
 namespace {
 
-constexpr int kRounds = 3;        // each with the passes of the row before
+constexpr int kRounds = 4;     // each with the passes of the row before
+constexpr double kMore = 1.1;  // of what a blade lacks on the ways beside its station
+constexpr double kMostMore = 1.5;
 constexpr double kWatched = 8;    // times what is asked for: higher passes are let be
 constexpr double kWithin = 0.95;  // of the tolerance: more stations bring what lies between them near to that
 
 /// The stretches whose blades a small push brings into another shape.
 std::vector<sweep::Stretch> weakOf(const Sweep& row, const RowCertainty& certainty) {
   const auto& stations = certainty.stations;
-  const auto barrier = [&](std::size_t i) { return stations[i].barrier.value_or(row.request.barrier); };
+  const auto barrier = [&](std::size_t i) { return certainty.barrierAt(i).value_or(row.request.barrier); };
   std::vector<sweep::Stretch> weak;
   for (const sweep::Stretch& at : sweep::stretchesOf(
            stations.size(), [&](std::size_t i) { return stations[i].unsure(); },
@@ -54,13 +56,31 @@ std::vector<HeavyBlade> lowOf(const Sweep& row, std::size_t i, const StationCert
   return low;
 }
 
+/// How much higher than before the passes of a station are to be for what is beside it.
+double higherAt(const Sweep& row, const RowCertainty& certainty, std::size_t i) {
+  const double asked = row.request.barrier;
+  const auto holds = [&](std::size_t k) {
+    const StationCertainty& station = certainty.stations[k];
+    return station.certain() || station.barrier.value_or(0) >= asked;
+  };
+  double least = asked;
+  for (const std::size_t way : {i - 1, i})  // i - 1 wraps around at the first
+    if (way < certainty.between.size() && holds(way) && holds(way + 1))
+      least = std::min(least, certainty.between[way].value_or(asked));
+  return least < asked ? std::min(kMore * asked / least, kMostMore) : 1;
+}
+
 /// The row with these barriers bounded.
 Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vector<sweep::Stretch>& weak,
               const RunContext& context) {
   Sweep next = before;
   for (const sweep::Stretch& at : weak)
-    for (std::size_t i = at.first; i <= at.last; ++i)
-      next.fits[i].passes = lowOf(before, i, certainty.stations[i]);
+    for (std::size_t i = at.first; i <= at.last; ++i) {
+      StationFit& fit = next.fits[i];
+      // Where the stations hold and the blade dips between them, these are to stand higher.
+      fit.push = fit.push == 0 ? before.request.barrier : fit.push * higherAt(before, certainty, i);
+      fit.passes = lowOf(before, i, certainty.stations[i]);
+    }
   const sweep::Row row(next, context);
   std::vector<std::optional<Station>> stations(next.poses.size());
   const Result<void> ok = parallelFor(context, int(stations.size()), [&](int k) {
@@ -108,8 +128,8 @@ bool keepsUp(const Sweep& next, const Sweep& before) {
 
 }  // namespace sweep
 
-Result<FirmRow> firmRow(const Sweep& row, const RunContext& context) {
-  Result<RowCertainty> certainty = certaintyOf(row, context);
+Result<FirmRow> firmRow(const Sweep& row, const RunContext& context, Along along) {
+  Result<RowCertainty> certainty = certaintyOf(row, context, along);
   if (!certainty) return tl::unexpected<Error>(certainty.error());
   FirmRow firm;
   firm.certainty = std::move(*certainty);
@@ -120,7 +140,7 @@ Result<FirmRow> firmRow(const Sweep& row, const RunContext& context) {
     Sweep next = bounded(last, known, weak, context);
     if (context.stopped()) return stoppedError();
     if (!sweep::keepsUp(next, row)) break;
-    certainty = certaintyOf(next, context);
+    certainty = certaintyOf(next, context, along);
     if (!certainty) return tl::unexpected<Error>(certainty.error());
     known = std::move(*certainty);
     const std::vector<sweep::Stretch> left = weakOf(next, known);

@@ -12,6 +12,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/maps.h"
 #include "sweep/held_blade.h"
+#include "sweep/smooth_way.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
@@ -25,6 +26,9 @@ constexpr double kSameAngle = 1e-3;        // rad
 constexpr int kPlaces = 101;               // of another shape
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
+constexpr int kLooks = 4;           // parts of the way to the next station
+constexpr double kNearby = 8;       // times the least barrier: where all are higher, they are looked at half
+constexpr double kMuchHigher = 4;   // way alone; and times that of the station: higher ones are let be
 
 /// A blade that can leave the straight line by so little has one shape.
 bool isTaut(const BladePose& pose) { return sweep::slackOf(pose) < 0.5 * kSameShape; }
@@ -131,11 +135,11 @@ std::vector<sweep::Stretch> unsureStretches(const std::vector<StationCertainty>&
       stations.size(), [&](std::size_t i) { return stations[i].unsure(); }, moreExcess(stations));
 }
 
-/// The least barrier that is known of a stretch.
-std::optional<double> barrierOf(const std::vector<StationCertainty>& stations, const sweep::Stretch& at) {
+/// The least barrier that is known of a stretch, with the ways to its stations and from there.
+std::optional<double> barrierOf(const RowCertainty& row, const sweep::Stretch& at) {
   std::optional<double> least;
   for (std::size_t i = at.first; i <= at.last; ++i)
-    if (const std::optional<double>& one = stations[i].barrier) least = std::min(least.value_or(*one), *one);
+    if (const std::optional<double> one = row.barrierAt(i)) least = std::min(least.value_or(*one), *one);
   return least;
 }
 
@@ -156,16 +160,14 @@ std::vector<PassThere> passesAround(const Sweep& sweep, const std::vector<Statio
     std::vector<HeavyBlade> passes = stations[from].passes;
     for (std::size_t i = from + std::size_t(step); i < stations.size() && stations[i].unsure();
          i += std::size_t(step)) {
-      const BladePose& pose = sweep.poses[i];
-      const std::optional<HeavyBranch> own = sweep::standing(sweep, pose);
+      const std::optional<HeavyBranch> own = sweep::standing(sweep, sweep.poses[i]);
       if (!own || passes.empty()) break;
-      std::vector<HeavyBlade> next;
-      for (const HeavyBlade& pass : passes)
-        if (const std::optional<HeavyBlade> found = passAt(pass, sweep::heldAt(sweep, pose))) {
-          there.push_back({i, *found, heightOf(*found, own->blade(), stiffness).energy});
-          next.push_back(*found);
-        }
-      passes = std::move(next);
+      const std::vector<HeavyPass> over = passesOver(passes, own->blade(), stiffness);
+      passes.clear();
+      for (const HeavyPass& pass : over) {
+        there.push_back({i, pass.shape, pass.height});
+        passes.push_back(pass.shape);
+      }
       if (!stations[i].passes.empty()) break;
     }
   }
@@ -189,6 +191,71 @@ void addPasses(const std::vector<PassThere>& all, std::vector<StationCertainty>&
   }
 }
 
+/// Follows what is between a blade and other shapes on the smooth way from station to station.
+class Between {
+ public:
+  explicit Between(const Sweep& sweep, const std::vector<StationCertainty>& stations)
+      : sweep_(sweep), stations_(stations), smooth_(sweep) {}
+
+  /// N mm, the least on the way from a station to the next one, but at these. Empty, too, where a station
+  /// gives way: that tells enough.
+  std::optional<double> after(std::size_t i) const {
+    const bool here = stations_[i].unsure(), there = stations_[i + 1].unsure();
+    for (const std::size_t k : {i, i + 1})
+      if (stations_[k].unsure() && stations_[k].barrier.value_or(kLeastBarrier) < kLeastBarrier) return {};
+    const auto end = [&](bool both) { return both ? kLooks / 2 : kLooks - 1; };
+    std::optional<double> least;
+    if (here) follow(i, i + 1, end(there), least);
+    if (there) follow(i + 1, i, end(here), least);
+    return least;
+  }
+
+ private:
+  /// So many parts of the way from one station to the other.
+  void follow(std::size_t from, std::size_t to, int parts, std::optional<double>& least) const {
+    const StationCertainty& start = stations_[from];
+    std::optional<HeavyBranch> own = sweep::standing(sweep_, sweep_.poses[from]);
+    if (!own || !start.barrier) return;
+    const double stiffness = sweep_.request.blade.flexuralRigidity();
+    const bool high = *start.barrier > kNearby * kLeastBarrier;
+    std::vector<HeavyBlade> passes;
+    for (const HeavyBlade& pass : start.passes)
+      if (heightOf(pass, own->blade(), stiffness).energy < kMuchHigher * *start.barrier)
+        passes.push_back(pass);
+    for (int k = high ? kLooks / 2 : 1; k <= parts && !passes.empty(); ++k) {
+      const std::optional<BladePose> pose =
+          smooth_.at(std::lerp(sweep_.poses[from].travel, sweep_.poses[to].travel, double(k) / kLooks));
+      if (!pose || isTaut(*pose)) return;
+      const Result<ClampedBranch::Move> move = own->moveTo(sweep::heldAt(sweep_, *pose));
+      if (!move || move->snapped) return;
+      const HeavyBlade blade = own->blade();
+      const std::vector<HeavyPass> over = passesOver(passes, blade, stiffness);
+      if (over.empty()) return;
+      const auto height = [](const HeavyPass& pass) { return pass.height; };
+      const double barrier = std::ranges::min(over, {}, height).height;
+      if (barrier < least.value_or(std::numeric_limits<double>::infinity())) {
+        // The other shape may be clearly higher there, as it becomes on the way to one that is certain.
+        if (barrier < kLeastBarrier && !hasAnother(blade, stations_[to].certain())) return;
+        least = barrier;
+      }
+      passes.clear();
+      for (const HeavyPass& pass : over) passes.push_back(pass.shape);
+    }
+  }
+
+  /// True if a blade could rest in another shape that is not clearly higher. Where the search finds none,
+  /// there is one but where it `ends` on the way.
+  bool hasAnother(const HeavyBlade& blade, bool ends) const {
+    const Result<HeavyRivals> all = rivalsOf(blade, sweep_.request.blade.flexuralRigidity());
+    if (!all || !all->next) return !all || !ends;
+    return all->nextEnergy - all->energy <= kClearGap * std::abs(all->energy);
+  }
+
+  const Sweep& sweep_;
+  const std::vector<StationCertainty>& stations_;
+  sweep::SmoothWay smooth_;
+};
+
 }  // namespace
 
 bool StationCertainty::certain() const {
@@ -202,7 +269,7 @@ std::optional<double> StationCertainty::energyRatio() const {
                                                              : std::nullopt;
 }
 
-Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) {
+Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context, Along along) {
   const std::size_t n = sweep.poses.size();
   const double stiffness = sweep.request.blade.flexuralRigidity();
   RowCertainty row{std::vector<StationCertainty>(n)};
@@ -300,13 +367,26 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   for (const std::vector<PassThere>& around : passes) addPasses(around, row.stations);
+  if (along == Along::stations || n < 2 || asked.empty()) return row;
+  row.between.resize(n - 1);
+  const Between between(sweep, row.stations);
+  ok = parallelFor(context, int(n - 1),
+                   [&](int i) { row.between[std::size_t(i)] = between.after(std::size_t(i)); });
+  if (!ok) return tl::unexpected<Error>(ok.error());
   return row;
+}
+
+std::optional<double> RowCertainty::barrierAt(std::size_t i) const {
+  std::optional<double> least = stations[i].barrier;
+  for (const std::size_t way : {i - 1, i})  // i - 1 wraps around at the first
+    if (way < between.size() && between[way]) least = std::min(least.value_or(*between[way]), *between[way]);
+  return least;
 }
 
 std::optional<double> RowCertainty::leastBarrier() const {
   double least = std::numeric_limits<double>::infinity();
   for (const sweep::Stretch& at : unsureStretches(stations)) {
-    const std::optional<double> barrier = barrierOf(stations, at);
+    const std::optional<double> barrier = barrierOf(*this, at);
     if (!barrier) return {};
     least = std::min(least, *barrier);
   }
@@ -364,7 +444,7 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
     }
   }
   for (const sweep::Stretch& at : unsureStretches(certainty.stations)) {
-    const std::optional<double> barrier = barrierOf(certainty.stations, at);
+    const std::optional<double> barrier = barrierOf(certainty, at);
     for (std::size_t i = at.first; i <= at.last; ++i) {
       if (row.stations[i] != Rest::held) continue;
       if (way[i] == Lost::no && least[i] < margin) way[i] = Lost::lowMargin;
@@ -386,7 +466,7 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
       OtherShape cause{worst.energy, worst.other->energy, worst.other->distance,
                        {},           way[at.worst],       least[at.worst]};
       for (std::size_t i = at.first; i <= at.last; ++i)
-        if (const std::optional<double>& barrier = certainty.stations[i].barrier; barrier && concerned(i))
+        if (const std::optional<double> barrier = certainty.barrierAt(i); barrier && concerned(i))
           cause.barrier = std::min(cause.barrier.value_or(*barrier), *barrier);
       row.findings.push_back({rest == Rest::lost ? Severity::error : Severity::info,
                               cause,

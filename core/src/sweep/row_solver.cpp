@@ -34,6 +34,7 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
   if (!cut) return false;
   fit.nearMargin = station.watched;
   fit.passes = station.passes;
+  fit.push = station.asked;
   if (!sweep.request.weight.isZero()) {
     // Where its weight alone would bring it, whatever brought it here.
     const Result<Hanging> hanging =

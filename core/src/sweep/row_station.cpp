@@ -34,7 +34,7 @@ constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles 
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
 constexpr double kPushed = 10;  // of a barrier whose cube root, as a part of that asked for, lacks 1, with
-constexpr double kPushReserve = 0.05;
+constexpr double kPushReserve = 0.08;  // for between the stations, where it dips;
 constexpr double kPushJustMet = 0.02;  // beyond that: costs nothing, but a step that loses it would
 constexpr double kNearBlock = 0.2;     // of a grip that is 1 mm nearer to the block than it need be,
 constexpr double kRoom = 0.5;          // mm, with as much in reserve
@@ -197,6 +197,7 @@ std::optional<Station> Row::following(std::size_t i) const {
   if (!begin(station, sweep_.poses[i], sweep_.fits[i])) return {};
   station.watched = sweep_.fits[i].nearMargin;
   station.passes = sweep_.fits[i].passes;
+  station.asked = sweep_.fits[i].push;
   look(station);
   return station.good ? std::optional(station) : std::nullopt;
 }
@@ -505,7 +506,7 @@ void Row::look(Station& station, bool slopes) const {
 }
 
 void Row::push(Station& station, bool slopes) const {
-  const double asked = sweep_.request.barrier, weight = kPushed * sweep_.request.tolerance;
+  const double asked = station.asked, weight = kPushed * sweep_.request.tolerance;
   if (station.passes.empty() || !station.branch || !(asked > 0)) return;
   const HeavyBlade blade = station.branch->blade();
   for (std::size_t k = 0; k < std::min<std::size_t>(station.passes.size(), kStationPasses); ++k) {

@@ -50,6 +50,7 @@ struct Station {
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
   Vector6 hungAt = Vector6::Zero();                  ///< its grips
   std::vector<HeavyBlade> passes = {};  ///< over which a push brings it into other shapes, if that is watched
+  double asked = 0;                     ///< N mm, of that push
   std::array<bool, kStationMargins> watched = {};  ///< its margins that are near the least asked for
   std::array<double, kStationPlaces> feet = {};    ///< arc lengths of the blade nearest to the section
 

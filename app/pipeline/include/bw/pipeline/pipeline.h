@@ -158,7 +158,7 @@ struct CutEvaluation {
   Stage<Kerf, SweptSurface> swept;                ///< only where its block has several cuts
   Stage<NoRequest, Simulation> run;               ///< the motion run; for files, and from `addSecondThought`
   Stage<WayRequest, SimulatedSurface> simulated;  ///< what that cuts; likewise
-  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; only from `addSecondThought`
+  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   /// What its program cuts, which is that of `blade simulate`; null until it is known, and where no blade

@@ -27,7 +27,7 @@ namespace bw::pipeline {
 struct FileStamp {
   std::filesystem::path path;
   std::uintmax_t size = 0;
-  std::int64_t changed = 0;  ///< time of change, in the ticks of the system; 0 where it is not there
+  std::int64_t changed = 0;  ///< ns: when it was written, replaced or renamed last; 0 where it is not there
   bool operator==(const FileStamp&) const = default;
 
   static FileStamp of(const std::filesystem::path& file);

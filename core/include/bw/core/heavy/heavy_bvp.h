@@ -24,6 +24,8 @@ struct HeavyProblem {
   double stiffness = 1;                              ///< EI, N mm², > 0
   Eigen::Vector2d weight = Eigen::Vector2d::Zero();  ///< a length, N/mm, in the plane's coordinates
 };
+/// What holds a blade of that stiffness (N mm²) as it is, its turning given.
+[[nodiscard]] HeavyProblem holdOf(const HeavyBlade& blade, double stiffness);
 
 /// One equilibrium of it.
 struct HeavySolution {
@@ -145,6 +147,15 @@ HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double
 /// not shrink fast enough to know that both ends are on one branch. Empty where that does not help, or the
 /// shape comes to rest. Some 0.1 ms for the small step of a sweep.
 std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& held);
+
+/// A pass, and by how much its energy is above that of the blade that it keeps from another shape.
+struct HeavyPass {
+  HeavyBlade shape;
+  double height = 0;  ///< N mm
+};
+/// What passes become where a blade is held (`passAt`), as far as they can be followed there.
+[[nodiscard]] std::vector<HeavyPass> passesOver(std::span<const HeavyBlade> passes, const HeavyBlade& blade,
+                                                double stiffness);
 
 /// A stable blade with weight that stays on its branch while its grips, its weight or both move.
 class HeavyBranch {

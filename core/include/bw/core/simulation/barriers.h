@@ -20,12 +20,16 @@ struct BarrierLook {
   /// N mm that bring the blade over into another one, where it is unsure; none where the way there was not
   /// found.
   std::optional<double> barrier = std::nullopt;
+  /// Where all shapes were sought, as at the least one: N mm, its own energy and that of the other one, and
+  /// mm between them.
+  double energy = 0, other = 0, distance = 0;
 };
 
-/// Looks at moments spread over the run, where the margin between them is least, and nearer and nearer to the
-/// least barrier found; in the order of time. `stiffness` (N mm²) is that of the blade that was run. A place
-/// where nothing could be found out counts as unsure, without a barrier. What is there between two looks
-/// alone is not seen. Errors: `cancelled`. Some 0.1 s.
+/// Seeks all shapes at moments spread over the run, where the margin between them is least, and where the
+/// least barrier is; between these follows the passes that were found, at every second moment. In the order
+/// of time. `stiffness` (N mm²) is that of the blade that was run. A place where nothing could be found out
+/// counts as unsure, without a barrier. Shapes that begin and end between two looks are not seen. Errors:
+/// `cancelled`. Some 0.1 s.
 [[nodiscard]] Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, double stiffness,
                                                              const RunContext& context);
 

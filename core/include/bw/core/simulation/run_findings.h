@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bw/core/base/finding.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/sweep/row_motion.h"
 
@@ -16,5 +17,11 @@ namespace bw {
 [[nodiscard]] Findings runFindings(const Simulation& simulation, const SimulatedSurface& surface,
                                    const Motion& motion, const SweepAnalysis& analysis,
                                    const WayRequest& request, const Findings& known);
+
+/// Where along the run a push of less than `kLeastBarrier` brings the blade into another shape, or it could
+/// not be found out how little does: the first such place, told as `OtherShape`. Empty where `known` tells
+/// already that shapes are lost. Ranges as above.
+[[nodiscard]] Findings barrierFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
+                                       const Motion& motion, const Findings& known);
 
 }  // namespace bw

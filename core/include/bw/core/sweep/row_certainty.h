@@ -46,15 +46,24 @@ struct StationCertainty {
 
 struct RowCertainty {
   std::vector<StationCertainty> stations;  ///< one a pose; without energies where its blade is not known
+  /// One a way from a station to the next, none if all stations are sure, or none was asked for: N mm, the
+  /// least barrier there, as far as passes of unsure stations beside it can be followed.
+  std::vector<std::optional<double>> between = {};
+  /// N mm, the least that is known at a station, and on the ways there and on.
+  [[nodiscard]] std::optional<double> barrierAt(std::size_t i) const;
   /// N mm, the least that is known of any stretch of stations that are not sure; infinite where all are sure.
   /// Empty where of a stretch none is known: nothing then tells that its blades are held.
   [[nodiscard]] std::optional<double> leastBarrier() const;
 };
 
+/// Where barriers are looked at: between stations that are far apart they tell little of a row with more.
+enum class Along { stations, ways };
+
 /// Seeks all shapes at rest at some stations of a row and follows them from there along it
 /// (docs/mathematics.md, sweep): shapes that begin and end between two of these stations are not found.
-/// `cancelled` on a stop. Some 70 to 120 ms for 60 stations.
-[[nodiscard]] Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context);
+/// `cancelled` on a stop. Some 70 to 130 ms for 60 stations.
+[[nodiscard]] Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context,
+                                               Along along = Along::ways);
 
 /// What keeps the blade of a station in its shape.
 enum class Rest {

@@ -37,6 +37,7 @@ struct StationFit {
   std::optional<PlanarCurve> extended = std::nullopt;
   /// The unstable shapes over which a push brings the blade into others, where its barrier had to be bounded.
   std::vector<HeavyBlade> passes = {};
+  double push = 0;  ///< N mm, by which these are to be higher at least: more where the blade dips beside
 };
 
 /// How the blades of a row are found.
