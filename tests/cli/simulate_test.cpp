@@ -88,6 +88,57 @@ TEST(Simulate, WhatIsWithinToleranceIsToldOfTheSurfaceShownWhereTheBladeBetweenI
   EXPECT_EQ(run.status, 1) << run.err;
 }
 
+/// A wave across the travel that changes sides about a place of it, on a small arch; heights in mm.
+std::string changingSides(const Folder& folder, const std::string& wave, double arch, const json& blade,
+                          int stations) {
+  const json design = {
+      {"bladewright_design", 2},
+      {"sources",
+       {{{"id", "surface"},
+         {"surface",
+          {{"type", "formula"},
+           {"formula", "250+" + wave + "+" + std::to_string(arch) + "*(1-((x-300)/300)^2)"},
+           {"x", {0, 600}},
+           {"y", {0, 800}}}}}}},
+      {"stock", {{{"id", "block"}, {"block", {{"origin", {0, 0, 0}}, {"size", {600, 800, 500}}}}}}},
+      {"cuts",
+       {{{"id", "cut"},
+         {"block", "block"},
+         {"source", "surface"},
+         {"direction", {0, 1, 0}},
+         {"stations", stations}}}},
+      {"blade", blade},
+      {"process", {{"clearance", 15}, {"floor", 0}, {"motion_tolerance", 1}, {"tolerance", 10}}}};
+  return folder.write("sides.bladewright", design.dump());
+}
+
+TEST(Simulate, ShapesThatAreThereBetweenStationsAloneAreErrorsOfTheDesign) {
+  // Each station has one shape; half a second of the way from one to the next has another, a touch away.
+  const Folder folder;
+  const std::string design = changingSides(folder, "8.3*((y-544)/sqrt((y-544)^2+20^2))*sin(2*pi*x/600)", 3.4,
+                                           {{"preset", "nicr-flat-5x1"}, {"length", 750}}, 24);
+  const Finished made = blade({"design", design, "--out", folder / "out"});
+  EXPECT_EQ(made.status, 1) << made.err;
+  EXPECT_NE(made.err.find("error: on the way from station "), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find(" N mm brings it from here there), which a touch may bring about"),
+            std::string::npos)
+      << made.err;
+  const Finished run = blade({"simulate", folder / "out/programs/strip-0/motion.json", "--design", design});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_LT(json::parse(run.out)["barrier_min_Nmm"].get<double>(), 0.2);
+}
+
+TEST(Simulate, AMarginThatFallsShortBetweenStationsIsToldOfTheDesign) {
+  const Folder folder;
+  const std::string design = changingSides(folder, "15.2*((y-430)/sqrt((y-430)^2+10^2))*((x-300)/300)^3", 1.5,
+                                           {{"preset", "steel-tube-3-2.5"}, {"length", 800}}, 16);
+  const Finished made = blade({"design", design, "--out", folder / "out"});
+  EXPECT_NE(made.err.find(" the blade rests in this shape with a margin of 0.06"), std::string::npos)
+      << made.err;
+  const Finished run = blade({"simulate", folder / "out/programs/strip-0/motion.json", "--design", design});
+  EXPECT_NE(run.err.find("the stability margin falls to 0.06"), std::string::npos) << run.err;
+}
+
 /// Width and height of a PNG; 0 for what is none.
 std::pair<int, int> sizeOf(const std::string& png) {
   if (png.size() < 24 || png.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {0, 0};

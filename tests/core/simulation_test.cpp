@@ -363,18 +363,6 @@ std::vector<std::pair<double, double>> fromSideToSide() {
   return angles;
 }
 
-/// The grips of a blade of a run.
-HeavyProblem gripsOf(const SimulatedBlade& at, double stiffness) {
-  const HeavyBlade::Numbers& n = at.blade.numbers();
-  HeavyProblem problem{{}, stiffness, stiffness * n.load};
-  problem.grips.start = n.start;
-  problem.grips.end = at.blade.at(n.length).point;
-  problem.grips.startAngle = n.startAngle;
-  problem.grips.endAngle = n.startAngle + n.turning;
-  problem.grips.length = n.length;
-  return problem;
-}
-
 TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   // On the wrong side of its grips a blade needs less and less to be brought over, until it snaps.
   const Blade blade;
@@ -399,7 +387,7 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
     before = *look.barrier;
     // Without weight the way over is the lowest shape that does not rest.
     const auto at = std::ranges::find(run.blades, look.time, &SimulatedBlade::time);
-    const HeavyProblem problem = gripsOf(*at, stiffness);
+    const HeavyProblem problem = holdOf(at->blade, stiffness);
     const ClampedAnswer all = solveAllClamped(problem.grips).value();
     std::optional<double> pass;
     for (const ClampedSolution& solution : all.solutions)
@@ -422,10 +410,10 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   }
   // The place is told once, unless its stations are known to be lost.
   const Motion motion = tilting(fromSideToSide());
-  EXPECT_EQ(barrierFindings(looks, run, motion, {}).empty(), *least->barrier >= kLeastBarrier);
+  EXPECT_EQ(restFindings(looks, run, motion, 0, {}).empty(), *least->barrier >= kLeastBarrier);
   BarrierLook weakest = *least;
   weakest.barrier = 0.5 * kLeastBarrier;
-  const Findings low = barrierFindings({looks.front(), weakest}, run, motion, {});
+  const Findings low = restFindings({looks.front(), weakest}, run, motion, 0, {});
   ASSERT_EQ(low.size(), 1u);
   const auto& cause = std::get<OtherShape>(low[0].cause);
   EXPECT_EQ(low[0].severity, Severity::error);
@@ -434,13 +422,22 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   EXPECT_GT(cause.distance, 10);
   EXPECT_GT(cause.energy, cause.other) << "it is on the wrong side";
   EXPECT_EQ(low[0].where.stations->count, 0);
-  EXPECT_TRUE(barrierFindings({weakest}, run, motion, low).empty());
+  EXPECT_TRUE(restFindings({weakest}, run, motion, 0, low).empty());
   std::vector<BarrierLook> others = {looks.front()};
-  EXPECT_TRUE(barrierFindings(others, run, motion, {}).empty()) << "it has one shape there";
+  EXPECT_TRUE(restFindings(others, run, motion, 0, {}).empty()) << "it has one shape there";
   others.front().unsure = true;
-  const Findings unknown = barrierFindings(others, run, motion, {});
+  const Findings unknown = restFindings(others, run, motion, 0, {});
   ASSERT_EQ(unknown.size(), 1u);
   EXPECT_EQ(std::get<OtherShape>(unknown[0].cause).lost, OtherShape::Lost::unknownBarrier);
+  // So is a margin that falls short, unless that of a station beside is known to.
+  const double asked = 0.3;
+  const Findings loose = restFindings({}, run, motion, asked, {});
+  ASSERT_EQ(loose.size(), 1u);
+  EXPECT_EQ(loose[0].severity, Severity::warning);
+  EXPECT_EQ(std::get<LowMargin>(loose[0].cause).margin, run.marginMin);
+  EXPECT_EQ(loose[0].where.stations->count, 0);
+  EXPECT_TRUE(restFindings({}, run, motion, asked, loose).empty());
+  EXPECT_TRUE(restFindings({}, run, motion, run.marginMin + 0.5 * kMarginRounded, {}).empty());
   run.blades.clear();
   EXPECT_TRUE(barriersAlong(run, stiffness, {}).value().empty());
   EXPECT_EQ(leastBarrier({}), nullptr);
@@ -457,7 +454,7 @@ TEST(Barriers, AreThoseOfTheBladeWithItsWeight) {
     if (!look.barrier) continue;
     ++known;
     const auto at = std::ranges::find(run.blades, look.time, &SimulatedBlade::time);
-    const HeavyAnswer all = solveAllHeavy(gripsOf(*at, stiffness)).value();
+    const HeavyAnswer all = solveAllHeavy(holdOf(at->blade, stiffness)).value();
     std::optional<double> own;
     for (const HeavySolution& solution : all.solutions)
       if ((solution.blade.at(400).point - at->blade.at(400).point).norm() < 1e-4) own = solution.barrier;

@@ -80,6 +80,10 @@ TEST(Findings, SayWhereABladeCannotBeBetweenStations) {
   EXPECT_EQ(said(BladeCrosses{true}, StationRange{-1, -1, 0, 0})
                 .find("all along, from the way in to the way out, " + crosses),
             0u);
+  EXPECT_EQ(said(LowMargin{0.06, 0.15}, StationRange{1, 2, 1, 0})
+                .find("on the way from station 2 to station 3 the blade rests in this shape with a margin of "
+                      "0.06 alone"),
+            0u);
   OtherShape weak;
   weak.lost = OtherShape::Lost::lowBarrier;
   EXPECT_EQ(said(weak, StationRange{1, 2, 1, 0})

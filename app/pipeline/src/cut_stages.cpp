@@ -667,14 +667,16 @@ Result<void> seeTheRun(const CutWork& work, double& seconds) {
 Result<void> seeBarriers(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const double stiffness = e.sweep.value->request.blade.flexuralRigidity();
-  return work.settle(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value}, seconds,
-                     [&](const NoRequest&, Findings& findings) {
-                       Result<std::vector<BarrierLook>> looks =
-                           barriersAlong(*e.run.value, stiffness, work.context);
-                       if (looks)
-                         findings = barrierFindings(*looks, *e.run.value, *e.motion.value, e.rest.findings);
-                       return looks;
-                     });
+  return work.settle(
+      &CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value}, seconds,
+      [&](const NoRequest&, Findings& findings) {
+        Result<std::vector<BarrierLook>> looks = barriersAlong(*e.run.value, stiffness, work.context);
+        Findings known = e.analysis.findings;
+        append(known, e.rest.findings);
+        if (looks)
+          findings = restFindings(*looks, *e.run.value, *e.motion.value, e.check.request.margin, known);
+        return looks;
+      });
 }
 
 Result<void> check(const CutWork& work) {
@@ -701,7 +703,8 @@ Result<void> check(const CutWork& work) {
   if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
   if (ok && e.run.value)
     work.keep(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value});
-  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value});
+  if (ok && e.run.value)
+    work.keep(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value});
   return ok;
 }
 

@@ -75,7 +75,7 @@ Result<void> check(const CutWork& work);
 Result<void> runMotion(const CutWork& work, double& seconds);
 /// What that run cuts, and what it tells of the blade between its stations.
 Result<void> seeTheRun(const CutWork& work, double& seconds);
-/// How little brings the blade out of its shapes on that run.
+/// How loosely the blade rests on that run.
 Result<void> seeBarriers(const CutWork& work, double& seconds);
 /// What a run cuts of the surface of a cut. `melted` gets the kerf at the speeds of the run, where it is told
 /// over speed; `cut` is that of `bw::compare`.

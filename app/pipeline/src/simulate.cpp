@@ -14,6 +14,7 @@
 
 #include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
+#include "bw/core/simulation/run_findings.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
@@ -32,7 +33,7 @@ namespace {
 
 constexpr double kSameLength = 1e-3;  // mm
 constexpr double kAll = 0.999;        // of the travel of a surface
-constexpr double kRounded = 1e-3;     // of a margin
+constexpr double kRounded = 1e-3;     // of a radius
 constexpr double kFaster = 1.1;       // than the cutting speed: durations are rounded
 
 /// A program as it is read.
@@ -214,7 +215,7 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   else if (surface.covered > 0 && surface.covered < kAll)
     exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
                        " % of the travel of the surface shown");
-  if (simulation.marginMin < design.process.margin - kRounded)
+  if (simulation.marginMin < design.process.margin - kMarginRounded)
     exceeded.push_back("the stability margin falls to " + shortText(simulation.marginMin, 2) +
                        " (asked for: " + shortText(design.process.margin, 2) + ")");
   if (const std::optional<RunSpeeds>& speeds = simulation.speeds;

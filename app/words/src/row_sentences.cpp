@@ -121,10 +121,21 @@ std::string Sentences::operator()(const WouldSnap&) const {
          shorterText(finding, kInParts);
 }
 
+/// Where a finding of stations is: at them, or on a way beside them.
+static std::string onTheWay(const Finding& finding, const std::string& atStations) {
+  const StationRange& range = *finding.where.stations;
+  if (range.count > 0) return atStations;
+  if (range.first < 0 && range.last < 0) return "all along, from the way in to the way out, ";
+  if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
+  if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
+  if (range.first == range.last) return "beside " + stationName(range.first) + " ";
+  return "on the way from " + stationName(range.first) + " to " + stationName(range.last) + " ";
+}
+
 std::string Sentences::operator()(const LowMargin& cause) const {
-  return at() + "the blade rests in this shape with a margin of " + shortText(cause.margin, 2) +
-         " alone (asked for: " + shortText(cause.asked, 3) + "; it snaps at 0); " +
-         shorterText(finding, kInParts);
+  return onTheWay(finding, at()) + "the blade rests in this shape with a margin of " +
+         shortText(cause.margin, 2) + " alone (asked for: " + shortText(cause.asked, 3) +
+         "; it snaps at 0); " + shorterText(finding, kInParts);
 }
 
 std::string Sentences::operator()(const SnapsInWeight& cause) const {
@@ -145,17 +156,6 @@ std::string Sentences::operator()(const BentSideways& cause) const {
 
 std::string Sentences::operator()(const UnknownInWeight& cause) const {
   return at() + "how the blade hangs in its own weight could not be found: " + cause.why;
-}
-
-/// Where a finding of stations is: at them, or on a way beside them.
-static std::string onTheWay(const Finding& finding, const std::string& atStations) {
-  const StationRange& range = *finding.where.stations;
-  if (range.count > 0) return atStations;
-  if (range.first < 0 && range.last < 0) return "all along, from the way in to the way out, ";
-  if (range.first < 0) return "on the way in, before " + stationName(range.last) + ", ";
-  if (range.last < 0) return "on the way out, after " + stationName(range.first) + ", ";
-  if (range.first == range.last) return "beside " + stationName(range.first) + " ";
-  return "on the way from " + stationName(range.first) + " to " + stationName(range.last) + " ";
 }
 
 std::string Sentences::operator()(const WouldTwist&) const {

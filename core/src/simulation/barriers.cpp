@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -14,11 +15,12 @@ namespace bw {
 
 namespace {
 
-constexpr std::size_t kSpread = 9;  // looks over the whole run
-constexpr std::size_t kStride = 2;  // moments to the next at which passes are followed
-constexpr double kSameShape = 0.5;  // mm
-constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
-constexpr int kPlaces = 41;         // of a blade, at which it is held against another
+constexpr std::size_t kSpread = 9;     // looks over the whole run
+constexpr std::size_t kStride = 2;     // moments to the next at which passes are followed
+constexpr std::size_t kOfStretch = 3;  // looks at moments in a row at which another shape lies across
+constexpr double kSameShape = 0.5;     // mm
+constexpr double kClearGap = 0.05;     // of its energy, by which a shape is clearly lower than another
+constexpr int kPlaces = 41;            // of a blade, at which it is held against another
 
 double apart(const HeavyBlade& a, const HeavyBlade& b) {
   const std::vector<Elastica::State> one = a.sample(kPlaces), other = b.sample(kPlaces);
@@ -61,8 +63,7 @@ class Looker {
     look.told.energy = rivals->energy;
     look.told.other = rivals->nextEnergy;
     look.told.distance = apart(at.blade, *rivals->next);
-    look.told.unsure = rivals->nextEnergy - rivals->energy <= kClearGap * std::abs(rivals->energy) &&
-                       look.told.distance > kSameShape;
+    look.told.unsure = isNear(rivals->energy, rivals->nextEnergy) && look.told.distance > kSameShape;
     if (!look.told.unsure) return look;
     look.told.barrier = rivals->barrier;
     look.passes = std::move(rivals->passes);
@@ -86,6 +87,22 @@ class Looker {
     return places;
   }
 
+  /// True if the blade rests in what lies across from it, too, and that is not clearly higher.
+  bool rests(std::size_t i) const {
+    const HeavyBlade& blade = run_.blades[i].blade;
+    if (isTaut(blade)) return false;
+    const std::optional<HeavyBlade> other = acrossFrom(blade);
+    return other && isNear(stiffness_ * blade.energy(), stiffness_ * other->energy()) &&
+           apart(blade, *other) > kSameShape;
+  }
+
+  /// The same where what lies across is known to be there: it is unsure whatever the search finds.
+  Look unsureAt(std::size_t i) const {
+    Look look = at(i);
+    look.told.unsure = true;
+    return look;
+  }
+
   /// The passes of either look followed to the middle between the two, and all the way to one at which
   /// nothing is unsure.
   Looks between(std::size_t a, const Look& first, std::size_t b, const Look& last) const {
@@ -99,6 +116,8 @@ class Looker {
   }
 
  private:
+  static bool isNear(double energy, double other) { return other - energy <= kClearGap * std::abs(energy); }
+
   void follow(const Look& from, std::size_t start, std::size_t end, std::optional<std::size_t> until,
               Looks& found) const {
     std::vector<HeavyBlade> passes = from.passes;
@@ -133,6 +152,47 @@ class Looker {
   const Simulation& run_;
   double stiffness_;
 };
+
+/// What begins and ends between looks that found nothing: shapes that lie across at the moments there.
+Result<void> lookAcross(const Looker& looker, const RunContext& context, Looks& looks) {
+  std::vector<std::size_t> asked;
+  for (auto at = looks.begin(); std::next(at) != looks.end(); ++at) {
+    const auto after = std::next(at);
+    if (at->second.told.unsure && after->second.told.unsure) continue;
+    for (std::size_t i = at->first + 1; i < after->first; ++i) asked.push_back(i);
+  }
+  std::vector<char> rests(asked.size(), 0);
+  Result<void> ok = parallelFor(context, int(asked.size()),
+                                [&](int k) { rests[std::size_t(k)] = looker.rests(asked[std::size_t(k)]); });
+  if (!ok) return ok;
+  std::vector<std::size_t> next;
+  for (std::size_t k = 0; k < asked.size();) {
+    std::size_t end = k;
+    while (end < asked.size() && rests[end] && asked[end] == asked[k] + (end - k)) ++end;
+    const std::size_t count = end - k, looked = std::min(count, kOfStretch);
+    for (std::size_t j = 0; j < looked; ++j)
+      next.push_back(asked[k + (looked > 1 ? (count - 1) * j / (looked - 1) : count / 2)]);
+    k = std::max(end, k + 1);
+  }
+  std::vector<Look> found(next.size());
+  ok = parallelFor(context, int(next.size()),
+                   [&](int k) { found[std::size_t(k)] = looker.unsureAt(next[std::size_t(k)]); });
+  for (std::size_t k = 0; ok && k < next.size(); ++k) looks.emplace(next[k], std::move(found[k]));
+  return ok;
+}
+
+/// Follows what looks found to the moments between them.
+Result<void> followBetween(const Looker& looker, const RunContext& context, Looks& looks) {
+  std::vector<Looks::const_iterator> ends;
+  for (auto at = looks.cbegin(); std::next(at) != looks.cend(); ++at) ends.push_back(at);
+  std::vector<Looks> between(ends.size());
+  const Result<void> ok = parallelFor(context, int(ends.size()), [&](int k) {
+    const auto a = ends[std::size_t(k)], b = std::next(a);
+    between[std::size_t(k)] = looker.between(a->first, a->second, b->first, b->second);
+  });
+  for (Looks& some : between) looks.merge(some);
+  return ok;
+}
 
 auto leastOf(Looks& looks) {
   auto least = looks.end();
@@ -181,17 +241,12 @@ Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, dou
   std::vector<Look> found(places.size());
   Result<void> ok = parallelFor(context, int(places.size()),
                                 [&](int k) { found[std::size_t(k)] = looker.at(places[std::size_t(k)]); });
-  std::vector<Looks> between(places.size() - 1);
-  if (ok)
-    ok = parallelFor(context, int(between.size()), [&](int k) {
-      const std::size_t i = std::size_t(k);
-      between[i] = looker.between(places[i], found[i], places[i + 1], found[i + 1]);
-    });
-  if (!ok) return tl::unexpected<Error>(ok.error());
-  if (context.stopped()) return stoppedError();
   Looks looks;
   for (std::size_t k = 0; k < places.size(); ++k) looks.emplace(places[k], std::move(found[k]));
-  for (Looks& some : between) looks.merge(some);
+  if (ok) ok = lookAcross(looker, context, looks);
+  if (ok) ok = followBetween(looker, context, looks);
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  if (context.stopped()) return stoppedError();
   confirm(looker, blades.size(), looks);
   for (const auto& [blade, look] : looks) all.push_back(look.told);
   return all;

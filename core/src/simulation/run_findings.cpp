@@ -129,29 +129,39 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
   return findings;
 }
 
-Findings barrierFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
-                         const Motion& motion, const Findings& known) {
+Findings restFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
+                      const Motion& motion, double margin, const Findings& known) {
+  Findings findings;
+  for (const RunStretch& at : simulation.loose(margin - kMarginRounded)) {
+    const StationRange beside = besideOf(simulation, motion.instants, at);
+    const SimulatedBlade& worst = simulation.blades[at.worst];
+    if (worst.margin > 0 && !toldAt<LowMargin>(known, beside))
+      findings.push_back(
+          {Severity::warning, LowMargin{worst.margin, margin}, {beside, middleOf(worst)}, {CutInParts{}}});
+  }
   const auto isLost = [](const Finding& finding) {
     const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
     return other && other->lost != OtherShape::Lost::no;
   };
-  if (std::ranges::any_of(known, isLost)) return {};
+  if (std::ranges::any_of(known, isLost)) return findings;
   const BarrierLook* worst = leastBarrier(looks);
   const bool low = worst && *worst->barrier < kLeastBarrier;
   if (!low) {
     const auto unknown =
         std::ranges::find_if(looks, [](const BarrierLook& look) { return look.unsure && !look.barrier; });
-    if (unknown == looks.end()) return {};
+    if (unknown == looks.end()) return findings;
     worst = &*unknown;
   }
   OtherShape cause{worst->energy, worst->other, worst->distance, worst->barrier};
   cause.lost = low ? OtherShape::Lost::lowBarrier : OtherShape::Lost::unknownBarrier;
   const auto there = std::ranges::lower_bound(simulation.blades, worst->time, {}, &SimulatedBlade::time);
-  return {{Severity::error,
-           cause,
-           {besideOf(motion.instants, worst->instant, there->atInstant ? worst->instant : worst->instant + 1),
-            middleOf(*there)},
-           {}}};
+  findings.push_back(
+      {Severity::error,
+       cause,
+       {besideOf(motion.instants, worst->instant, there->atInstant ? worst->instant : worst->instant + 1),
+        middleOf(*there)},
+       {}});
+  return findings;
 }
 
 }  // namespace bw

@@ -388,6 +388,12 @@ std::vector<RunStretch> Simulation::twists() const {
       [](const SimulatedBlade& at) { return -at.outOfPlaneMargin; });
 }
 
+std::vector<RunStretch> Simulation::loose(double margin) const {
+  return stretches(
+      blades, [margin](const SimulatedBlade& at) { return at.margin < margin; },
+      [](const SimulatedBlade& at) { return -at.margin; });
+}
+
 Result<Simulation> simulate(const Motion& motion, const Blade& blade, const Vector3d& weight,
                             const RunContext& context) {
   if (motion.instants.size() < 2 ||

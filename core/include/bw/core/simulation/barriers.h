@@ -28,8 +28,8 @@ struct BarrierLook {
 /// Seeks all shapes at moments spread over the run, where the margin between them is least, and where the
 /// least barrier is; between these follows the passes that were found, at every second moment. In the order
 /// of time. `stiffness` (N mm²) is that of the blade that was run. A place where nothing could be found out
-/// counts as unsure, without a barrier. Shapes that begin and end between two looks are not seen. Errors:
-/// `cancelled`. Some 0.1 s.
+/// counts as unsure, without a barrier. Of shapes that begin and end between two looks those are seen that
+/// lie across (`acrossFrom`): each moment is asked for that. Errors: `cancelled`. Some 0.1 s.
 [[nodiscard]] Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, double stiffness,
                                                              const RunContext& context);
 

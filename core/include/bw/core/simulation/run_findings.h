@@ -18,10 +18,14 @@ namespace bw {
                                    const Motion& motion, const SweepAnalysis& analysis,
                                    const WayRequest& request, const Findings& known);
 
-/// Where along the run a push of less than `kLeastBarrier` brings the blade into another shape, or it could
-/// not be found out how little does: the first such place, told as `OtherShape`. Empty where `known` tells
-/// already that shapes are lost. Ranges as above.
-[[nodiscard]] Findings barrierFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
-                                       const Motion& motion, const Findings& known);
+/// How much less than this a run may keep of a margin: what is rounded in programs.
+inline constexpr double kMarginRounded = 1e-3;
+
+/// How loosely the blade rests along the run. Where a push of less than `kLeastBarrier` brings it into
+/// another shape: the least such place; else the first where it could not be found out how little does; both
+/// told as `OtherShape`, but where `known` tells that shapes are lost. And stretches that keep less than
+/// `margin`, but where `known` tells that of stations beside (`LowMargin`). Ranges as above.
+[[nodiscard]] Findings restFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
+                                    const Motion& motion, double margin, const Findings& known);
 
 }  // namespace bw

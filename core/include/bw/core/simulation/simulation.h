@@ -89,6 +89,7 @@ struct Simulation {
   /// stretch where they are many.
   std::vector<RunStretch> crossings() const;
   std::vector<RunStretch> twists() const;
+  std::vector<RunStretch> loose(double margin) const;  ///< of less stability
 
   /// The surface that the whole blade sweeps: a row a moment, points at equal arc length, in the file's
   /// frame.
