@@ -280,7 +280,7 @@ struct Judged {
   Judged() {
     check.stations.assign(5, {});
     for (StationCheck& station : check.stations) station.stabilityMargin = 0.5;
-    certainty.stations.assign(5, {10, OtherRest{5, 50}, 3.0});
+    certainty.stations.assign(5, {10, 0.5, OtherRest{5, 50}, 3.0});
     entry = {{sweep.poses[0]}, 0.4, ""};
     motion.reached = {0, 1, 1, 1, 1};
   }

@@ -156,10 +156,16 @@ double HeavyBlade::bendingEnergy() const {
   return 0.5 * (numbers_.turning * numbers_.turning + numbers_.coefficients.squaredNorm()) / numbers_.length;
 }
 
-double HeavyBlade::energy() const {
-  // ∫ load·(r − start) ds = L² ∫ (1 − s) load·t ds on [0, 1], and 1 − s = (p_0 − p_1 / √3) / 2.
-  const Vector2d lever = 0.5 * (tangent_.row(0) - tangent_.row(1) / std::sqrt(3.0)).transpose();
-  return bendingEnergy() - numbers_.length * numbers_.length * numbers_.load.dot(lever);
+/// −∫ load·(r − c) ds, c along the chord: ∫ load·(r − start) ds = L² ∫ (1 − s) load·t ds on [0, 1], and
+/// 1 − s = (p_0 − p_1 / √3) / 2, of which p_0 is that of the chord.
+static double liftedFromChord(const HeavyBlade::Numbers& numbers, const Eigen::MatrixX2d& tangent) {
+  return numbers.length * numbers.length * numbers.load.dot(tangent.row(1)) / std::sqrt(12.0);
+}
+
+double HeavyBlade::energy() const { return bendingEnergy() + liftedFromChord(numbers_, tangent_); }
+
+double HeavyBlade::clearGap() const {
+  return kClearGap * (bendingEnergy() + std::abs(liftedFromChord(numbers_, tangent_)));
 }
 
 std::vector<double> HeavyBlade::inflections() const {

@@ -173,11 +173,25 @@ Result<Weighed> weigh(const Unit& unit, double turning, Shape shape) {
   return lost("while its weight comes on");
 }
 
+/// What a shape at rest falls into from its mirror image in the chord, its ends being held as they are.
+std::optional<Shape> fallFromAcross(const Hold& hold, const Shape& own) {
+  constexpr int kAbrupt = 8;  // how soon after its ends, which stay, the image is that of the chord
+  const heavy::Modes& modes = modesOf(1);
+  const Eigen::ArrayXd evenly = hold.startAngle + hold.turning * modes.nodes.array();
+  const double middle = hold.startAngle + 0.5 * hold.turning;
+  const double chord = middle + std::remainder(std::atan2(hold.chord.y(), hold.chord.x()) - middle, 2 * kPi);
+  const Eigen::ArrayXd within = 1 - (2 * modes.nodes.array() - 1).pow(kAbrupt);
+  const VectorXd turned = modes.values * (modes.weights.array() * 2 * within * (chord - evenly)).matrix();
+  const Shape image{modes.squares.llt().solve(turned) - own.coefficients.head(modes.count()), own.force};
+  return heavy::fall(hold, image, VectorXd::Zero(modes.count()));
+}
+
 /// A shape with its turning, whatever the number of modes.
 struct Found {
   double turning;
   Shape shape;
   bool stable;
+  bool followed = false;  ///< as the weight changes
 };
 
 bool same(const Found& a, double turning, const Shape& shape) {
@@ -194,20 +208,16 @@ class Search {
       const std::optional<Shape> start = shapeOf(unit, solution.elastica, solution.turning, kModesSearched);
       if (!start) continue;
       heavy::allAlong(unit.weighing(solution.turning), *start,
-                      [&](const Shape& shape) { add(solution.turning, shape); });
+                      [&](const Shape& shape) { found_[add(solution.turning, shape)].followed = true; });
     }
-    // What unstable ones fall into is found on the way to their barriers.
-    for (std::size_t i = 0; i < found_.size(); ++i)
-      if (!found_[i].stable) passOver(i);
+    goOn();
   }
 
-  /// Its place among `found`, added if it is new.
-  std::size_t add(double turning, const Shape& shape) {
-    for (std::size_t i = 0; i < found_.size(); ++i)
-      if (same(found_[i], turning, shape)) return i;
-    const Hold hold = unit_.hold(turning);
-    found_.push_back({turning, shape, heavy::isStable(Equations(modesOf(shape.count()), hold, shape))});
-    return found_.size() - 1;
+  /// The place among `found` of one that is known. What hangs together with it is found, too, if it is new.
+  std::size_t with(double turning, const Shape& shape) {
+    const std::size_t place = add(turning, shape);
+    goOn();
+    return place;
   }
 
   const std::vector<Found>& found() const { return found_; }
@@ -232,6 +242,33 @@ class Search {
     std::size_t top, one, other;
   };
 
+  /// Its place among `found`, added if it is new.
+  std::size_t add(double turning, const Shape& shape) {
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      if (same(found_[i], turning, shape)) return i;
+    const Hold hold = unit_.hold(turning);
+    found_.push_back({turning, shape, heavy::isStable(Equations(modesOf(shape.count()), hold, shape))});
+    return found_.size() - 1;
+  }
+
+  /// What those found lead to: unstable ones to what they fall into, on the way to barriers; stable ones to
+  /// what lies across; and those on no branch of the weightless to what is on theirs.
+  void goOn() {
+    for (; next_ < found_.size() && !WorkMeter::exhausted(); ++next_) {
+      const Found one = found_[next_];
+      const Hold hold = unit_.hold(one.turning);
+      if (!one.stable)
+        passOver(next_);
+      else if (const std::optional<Shape> across = fallFromAcross(hold, one.shape))
+        add(one.turning, *across);
+      if (one.followed) continue;
+      for (const double share : {0.0, 2.0})
+        if (const std::optional<Shape> other =
+                heavy::overFold({hold, unit_.hold(one.turning, share)}, one.shape))
+          found_[add(one.turning, *other)].followed = true;
+    }
+  }
+
   double energyAt(std::size_t i) const { return energyOf(unit_.hold(found_[i].turning), found_[i].shape); }
 
   void passOver(std::size_t i) {
@@ -245,6 +282,7 @@ class Search {
   const Unit& unit_;
   std::vector<Found> found_;
   std::vector<Pass> passes_;
+  std::size_t next_ = 0;  ///< of `found_`, to be gone on from
 };
 
 /// What else the blade may rest in, besides the one at `self`.
@@ -269,7 +307,8 @@ HeavyAnswer straightAnswer(const HeavyProblem& problem, const ClampedAnswer& wei
   numbers.coefficients = VectorXd::Zero(heavy::kModeCounts[0]);
   numbers.load = problem.weight / problem.stiffness;
   HeavySolution solution{HeavyBlade(std::move(numbers))};
-  solution.energy = solution.blade.energy() * problem.stiffness;
+  // The start's height is zero.
+  solution.energy = -0.5 * problem.grips.length * problem.weight.dot(problem.grips.end - problem.grips.start);
   solution.stable = true;
   solution.stabilityMargin = straight.stabilityMargin;
   solution.outOfPlaneMargin = straight.outOfPlaneMargin;
@@ -315,7 +354,7 @@ Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions
     const Result<ClampedAnswer> all = solveAllClamped(problem.grips, options);
     if (!all) return tl::unexpected<Error>(all.error());
     Search search(*unit, *all);
-    const std::size_t self = search.add(turning, weighed->shape);
+    const std::size_t self = search.with(turning, weighed->shape);
     solution->barrier = search.barrier(self);
     tellOthers(answer, *unit, search.found(), self);
   }
@@ -374,7 +413,7 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   HeavyRivals rivals{stiffness * blade.energy()};
   if (weightless->kind == ClampedKind::straight) return rivals;
   Search search(*unit, *weightless);
-  const std::size_t self = search.add(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
+  const std::size_t self = search.with(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
   if (meter.stopped())
     return fail(ErrorCode::noSolution, "What else the blade may rest in is not found within bounds.",
                 "blade");
@@ -384,9 +423,10 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   for (std::size_t i = 0; i < search.found().size(); ++i) {
     const Found& found = search.found()[i];
     if (i == self || !found.stable) continue;
-    const double energy = energyOf(unit->hold(found.turning), found.shape) * unit->energy();
+    HeavyBlade other = placed(*unit, found.turning, found.shape);
+    const double energy = stiffness * other.energy();
     if (rivals.next && rivals.nextEnergy <= energy) continue;
-    rivals.next = placed(*unit, found.turning, found.shape);
+    rivals.next = std::move(other);
     rivals.nextEnergy = energy;
   }
   return rivals;
@@ -403,36 +443,29 @@ Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own) {
     return rests;
   }
   Search search(*unit, *weightless);
+  if (search.found().empty()) return lost("while its weight comes on");
+  if (own) {
+    const HeavyBlade::Numbers& n = own->numbers();
+    const std::size_t self = search.with(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
+    for (const std::size_t pass : search.passesOf(self))
+      rests.passes.push_back(placed(*unit, search.found()[pass].turning, search.found()[pass].shape));
+    rests.barrier = search.barrier(self);
+  }
   for (const Found& found : search.found()) {
     if (!found.stable) continue;
     const std::optional<Shape> shape = heavy::refined(unit->hold(found.turning), found.shape, heavy::kExact);
     if (!shape) return lost("in finer modes");
     rests.stable.push_back(placed(*unit, found.turning, *shape));
   }
-  if (search.found().empty()) return lost("while its weight comes on");
-  if (!own) return rests;
-  const HeavyBlade::Numbers& n = own->numbers();
-  const std::size_t self = search.add(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
-  for (const std::size_t pass : search.passesOf(self))
-    rests.passes.push_back(placed(*unit, search.found()[pass].turning, search.found()[pass].shape));
-  rests.barrier = search.barrier(self);
   return rests;
 }
 
 std::optional<HeavyBlade> acrossFrom(const HeavyBlade& blade) {
-  constexpr int kAbrupt = 8;  // how soon after its ends, which stay, the image is that of the chord
   const HeavyBlade::Numbers& n = blade.numbers();
   const Hold hold = equationsOf(blade).hold();
-  const heavy::Modes& modes = modesOf(1);
-  const Eigen::ArrayXd evenly = n.startAngle + n.turning * modes.nodes.array();
-  const double toChord = std::atan2(hold.chord.y(), hold.chord.x()) - (n.startAngle + 0.5 * n.turning);
-  const double chord = n.startAngle + 0.5 * n.turning + std::remainder(toChord, 2 * kPi);
-  const Eigen::ArrayXd within = 1 - (2 * modes.nodes.array() - 1).pow(kAbrupt);
-  const VectorXd own = n.coefficients.head(modes.count());
-  const VectorXd turned = modes.values * (modes.weights.array() * 2 * within * (chord - evenly)).matrix();
-  const Shape image{modes.squares.llt().solve(turned) - own, n.endForce * (n.length * n.length)};
-  std::optional<Shape> shape = heavy::fall(hold, image, VectorXd::Zero(modes.count()));
-  if (!shape || (shape->coefficients.head(modes.count()) - own).norm() < kSameShape) return {};
+  const Shape own{n.coefficients, n.endForce * (n.length * n.length)};
+  std::optional<Shape> shape = fallFromAcross(hold, own);
+  if (!shape || same({n.turning, own, true}, n.turning, *shape)) return {};
   shape = heavy::refined(hold, *shape, heavy::kExact);
   if (!shape) return {};
   HeavyBlade::Numbers other = n;

@@ -192,4 +192,14 @@ void allAlong(const Way& way, const Shape& start, const std::function<void(const
   }
 }
 
+std::optional<Shape> overFold(const Way& way, const Shape& start) {
+  Path path(way, {0, start}, 1);
+  for (int i = 0; i < kMostSteps && !detail::workExhausted(); ++i) {
+    const std::optional<WayPoint> point = path.next(2 * kLongestStep);
+    if (!point || point->part == 1) return {};
+    if (point->part == 0) return point->shape;
+  }
+  return {};
+}
+
 }  // namespace bw::heavy

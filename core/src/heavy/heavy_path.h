@@ -63,4 +63,8 @@ std::optional<Followed> follow(const Way& way, const Shape& start);
 /// until the path comes back to part 0 or is lost.
 void allAlong(const Way& way, const Shape& start, const std::function<void(const Shape&)>& found);
 
+/// The other equilibrium at the start of the way that hangs together with this one by a fold on it. Empty if
+/// its path goes on to part 1, or is lost.
+std::optional<Shape> overFold(const Way& way, const Shape& start);
+
 }  // namespace bw::heavy

@@ -19,7 +19,6 @@ constexpr std::size_t kSpread = 9;     // looks over the whole run
 constexpr std::size_t kStride = 2;     // moments to the next at which passes are followed
 constexpr std::size_t kOfStretch = 3;  // looks at moments in a row at which another shape lies across
 constexpr double kSameShape = 0.5;     // mm
-constexpr double kClearGap = 0.05;     // of its energy, by which a shape is clearly lower than another
 constexpr int kPlaces = 41;            // of a blade, at which it is held against another
 
 double apart(const HeavyBlade& a, const HeavyBlade& b) {
@@ -63,7 +62,7 @@ class Looker {
     look.told.energy = rivals->energy;
     look.told.other = rivals->nextEnergy;
     look.told.distance = apart(at.blade, *rivals->next);
-    look.told.unsure = isNear(rivals->energy, rivals->nextEnergy) && look.told.distance > kSameShape;
+    look.told.unsure = !isClearlyLower(at.blade, *rivals->next) && look.told.distance > kSameShape;
     if (!look.told.unsure) return look;
     look.told.barrier = rivals->barrier;
     look.passes = std::move(rivals->passes);
@@ -92,8 +91,7 @@ class Looker {
     const HeavyBlade& blade = run_.blades[i].blade;
     if (isTaut(blade)) return false;
     const std::optional<HeavyBlade> other = acrossFrom(blade);
-    return other && isNear(stiffness_ * blade.energy(), stiffness_ * other->energy()) &&
-           apart(blade, *other) > kSameShape;
+    return other && !isClearlyLower(blade, *other) && apart(blade, *other) > kSameShape;
   }
 
   /// The same where what lies across is known to be there: it is unsure whatever the search finds.
@@ -116,7 +114,9 @@ class Looker {
   }
 
  private:
-  static bool isNear(double energy, double other) { return other - energy <= kClearGap * std::abs(energy); }
+  static bool isClearlyLower(const HeavyBlade& blade, const HeavyBlade& other) {
+    return other.energy() - blade.energy() > blade.clearGap();
+  }
 
   void follow(const Look& from, std::size_t start, std::size_t end, std::optional<std::size_t> until,
               Looks& found) const {

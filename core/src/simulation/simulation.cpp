@@ -28,7 +28,6 @@ using Eigen::Vector3d;
 constexpr int kBetween = 4;           // moves from instant to instant
 constexpr double kTaut = 0.05;        // mm that a blade may sag by its slack
 constexpr double kHardlySlack = 0.5;  // mm: so close to the straight line that it counts as it, if need be
-constexpr double kClearGap = 0.05;    // of its energy, by which a shape is clearly lower than another
 constexpr double kStretch = 1e-3;     // mm, rounding of written positions
 constexpr double kOffPlane = 0.5;     // mm, of an end,
 constexpr double kTilted = fromDegrees(0.5);
@@ -192,15 +191,15 @@ Step<void> Runner::begin(const Hold& hold) {
   if (taut(hold.problem)) return {};
   const Result<HeavyAnswer> all = solveAllHeavy(hold.problem);
   if (!all) return lost(all.error().message);
-  std::optional<double> lowest;
+  const HeavySolution* lowest = nullptr;
   for (const HeavySolution& solution : all->solutions) {
     if (!solution.stable) continue;
     if (!lowest) {
-      lowest = solution.energy;
+      lowest = &solution;
       const Result<HeavyBranch> branch = HeavyBranch::from(hold.problem, solution);
       if (!branch) return lost(branch.error().message);
       branch_ = *branch;
-    } else if (solution.energy - *lowest <= kClearGap * std::abs(*lowest)) {
+    } else if (solution.energy - lowest->energy <= stiffness_ * lowest->blade.clearGap()) {
       result_.decided = result_.decided && !result_.blades.empty();
     }
   }

@@ -135,6 +135,13 @@ class Move {
 
 /// A blade that its grips hold straight but for 0.05 mm: there is no other shape, and none to be followed.
 [[nodiscard]] inline bool isTaut(const BladePose& pose) { return slackOf(pose) < 0.05; }
+/// Of its blade over the stiffness, 1/mm, and by how much more another one is clearly higher.
+[[nodiscard]] inline double energyOf(const BladePose& pose) {
+  return pose.heavy ? pose.heavy->energy() : pose.blade.energy();
+}
+[[nodiscard]] inline double clearGapOf(const BladePose& pose) {
+  return pose.heavy ? pose.heavy->clearGap() : kClearGap * pose.blade.energy();
+}
 
 /// A weightless blade of that length, told by its middle.
 [[nodiscard]] inline Result<Elastica> aboutMiddle(const Eigen::Vector2d& point, double angle,

@@ -25,10 +25,9 @@ constexpr double kSameShape = 0.5;         // mm
 constexpr double kSameAngle = 1e-3;        // rad
 constexpr int kPlaces = 101;               // of another shape
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
-constexpr int kLooks = 4;           // parts of the way to the next station
-constexpr double kNearby = 8;       // times the least barrier: where all are higher, they are looked at half
-constexpr double kMuchHigher = 4;   // way alone; and times that of the station: higher ones are let be
+constexpr int kLooks = 4;          // parts of the way to the next station
+constexpr double kNearby = 8;      // times the least barrier: where all are higher, they are looked at half
+constexpr double kMuchHigher = 4;  // way alone; and times that of the station: higher ones are let be
 
 /// A blade that can leave the straight line by so little has one shape.
 bool isTaut(const BladePose& pose) { return sweep::slackOf(pose) < 0.5 * kSameShape; }
@@ -93,10 +92,8 @@ class Others {
     if (!own) return;
     const std::optional<HeavyBlade> blade = acrossFrom(own->blade());
     // The search tells the higher ones.
-    const double energy = stations_[i].energy;
-    if (blade &&
-        sweep_.request.blade.flexuralRigidity() * blade->energy() <= energy + kClearGap * std::abs(energy))
-      see(i, *blade);
+    const double highest = stations_[i].energy + stations_[i].gap;
+    if (blade && sweep_.request.blade.flexuralRigidity() * blade->energy() <= highest) see(i, *blade);
   }
 
   /// A shape was lost: of what is there nothing is claimed, but where there can be none.
@@ -248,7 +245,7 @@ class Between {
   bool hasAnother(const HeavyBlade& blade, bool ends) const {
     const Result<HeavyRivals> all = rivalsOf(blade, sweep_.request.blade.flexuralRigidity());
     if (!all || !all->next) return !all || !ends;
-    return all->nextEnergy - all->energy <= kClearGap * std::abs(all->energy);
+    return all->nextEnergy - all->energy <= sweep_.request.blade.flexuralRigidity() * blade.clearGap();
   }
 
   const Sweep& sweep_;
@@ -259,7 +256,7 @@ class Between {
 }  // namespace
 
 bool StationCertainty::certain() const {
-  return std::isfinite(energy) && (!other || other->energy - energy > kClearGap * std::abs(energy));
+  return std::isfinite(energy) && (!other || other->energy - energy > gap);
 }
 
 bool StationCertainty::unsure() const { return std::isfinite(energy) && !certain(); }
@@ -274,11 +271,12 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context, 
   const double stiffness = sweep.request.blade.flexuralRigidity();
   RowCertainty row{std::vector<StationCertainty>(n)};
   const auto ownEnergy = [&](std::size_t i) {
-    const BladePose& pose = sweep.poses[i];
-    return !isKnown(sweep, i) ? kUnknown
-                              : stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
+    return isKnown(sweep, i) ? stiffness * sweep::energyOf(sweep.poses[i]) : kUnknown;
   };
-  for (std::size_t i = 0; i < n; ++i) row.stations[i].energy = ownEnergy(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    row.stations[i].energy = ownEnergy(i);
+    row.stations[i].gap = stiffness * sweep::clearGapOf(sweep.poses[i]);
+  }
   std::vector<std::size_t> searched;
   for (std::size_t k = 0; k < kSearched; ++k) {
     const std::size_t i = (n - 1) * k / (kSearched - 1);

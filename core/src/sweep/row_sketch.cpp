@@ -48,7 +48,8 @@ Rest RowSketcher::Other::now(const Sweep& row, const BladePose& pose, double mar
   }
   if (!known) return Rest::unknown;
   StationCertainty station;
-  station.energy = stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
+  station.energy = stiffness * sweep::energyOf(pose);
+  station.gap = stiffness * sweep::clearGapOf(pose);
   if (branch && !sweep::isTaut(pose)) station.other = OtherRest{stiffness * branch->blade().energy()};
   if (station.certain()) return Rest::certain;
   if (rest == Rest::lost || margin < asked) return Rest::lost;

@@ -11,6 +11,9 @@
 
 namespace bw {
 
+/// Of the energy of a blade without weight: `HeavyBlade::clearGap`.
+inline constexpr double kClearGap = 0.05;
+
 /// A blade that is bent by its grips and by its own weight, in the plane of its grips: EI κ' = n1 sin θ − n2
 /// cos θ with n' = −w. It has no closed form; its curvature is a series of Legendre polynomials.
 /// docs/mathematics.md, 9.
@@ -42,8 +45,11 @@ class HeavyBlade {
 
   /// ½ ∫ κ² ds, 1/mm.
   double bendingEnergy() const;
-  /// ½ ∫ κ² ds − ∫ load·(r − start) ds, 1/mm: times EI the energy of blade and weight.
+  /// ½ ∫ κ² ds − ∫ load·(r − c) ds, c along the chord, 1/mm: times EI the energy of blade and weight.
   double energy() const;
+  /// By how much of that, 1/mm, another shape between the same grips is clearly higher: 5 % of what it takes
+  /// to bend the blade and to lift it from the chord. The same for mirror images.
+  double clearGap() const;
   /// Arc lengths where the curvature changes sign, ascending.
   std::vector<double> inflections() const;
   /// The largest |κ|, 1/mm, at 16 places for each polynomial.

@@ -69,8 +69,9 @@ struct HeavyAnswer {
 Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
 
 /// All equilibria that a search finds: on the branches of all weightless ones (`solveAllClamped`) as the
-/// weight comes on and up to twice of it, and where blades fall from unstable ones; not those whose loops are
-/// tighter than about a fortieth of the length. Same errors. Some 10 ms.
+/// weight comes on and up to twice of it, where blades fall from unstable ones and from across, and on the
+/// branches of these; not those whose loops are tighter than about a fortieth of the length. Same errors.
+/// Some 10 ms.
 Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
 
 /// How far a blade of this length, held at that distance, may sag by its slack: as high as a flat arch over
@@ -106,7 +107,7 @@ HeavyMargins marginsOf(const HeavyBlade& blade, double across = 0, double torsio
 /// What else a blade at rest could rest in, between the same grips and with the same turning: what no clamped
 /// blade leaves in its plane.
 struct HeavyRivals {
-  double energy = 0;                              ///< its own, N mm, as that of a solution
+  double energy = 0;                              ///< its own, N mm: `HeavyBlade::energy`
   std::optional<HeavyBlade> next = std::nullopt;  ///< the lowest of the other stable shapes
   double nextEnergy = 0;                          ///< N mm: of that one
   std::optional<double> barrier = std::nullopt;   ///< as that of a solution

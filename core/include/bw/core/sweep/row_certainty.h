@@ -21,7 +21,7 @@ namespace bw {
 
 /// Another shape in which the blade of a station would rest between the same grips.
 struct OtherRest {
-  double energy = 0;    ///< N mm, of bending and weight; the height of the left grip counts as none
+  double energy = 0;    ///< N mm, of bending and weight, whose height is counted from the chord
   double distance = 0;  ///< mm, the farthest that it lies from the shape of the row
   std::vector<Eigen::Vector2d> places = {};  ///< at equal arc length, in the plane of the station's frame
   std::optional<HeavyBlade> blade = {};      ///< it, always known
@@ -29,7 +29,8 @@ struct OtherRest {
 
 /// How sure it is that the blade takes the shape of its station.
 struct StationCertainty {
-  double energy = 0;                              ///< N mm, as above
+  double energy = 0;  ///< N mm, as above
+  double gap = 0;     ///< N mm: what has so much more is clearly higher (`HeavyBlade::clearGap`)
   std::optional<OtherRest> other = std::nullopt;  ///< the lowest that was found
   /// N mm that bring the blade from the station's shape into another one that is not clearly higher. Found
   /// where the station is one of those that are searched, or the least certain one of a stretch, and followed
