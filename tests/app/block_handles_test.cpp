@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// The block that is selected in the hand: its faces, its rotation and the cutting direction.
+// The block that is selected in the hand: its faces, its rotation, the cutting direction and the planes.
 
 #include "window/block_handles.h"
 
@@ -61,7 +61,7 @@ TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
   openBlock("ripple-along");
   const Design before = bench().design();
   const std::size_t poles = std::size_t(window().surfaceHandles().count());
-  EXPECT_EQ(handles().points.size(), poles + 8);
+  EXPECT_EQ(handles().points.size(), poles + 9);
   const Box was = placementOf(bench())->box();
   hover(handle(BlockPart::right));
   EXPECT_EQ(handles().text.find("Right face: size X "), 0u) << handles().text;
@@ -313,6 +313,43 @@ TEST_F(BlockHandlesTest, TheArrowTurnsTheCuttingDirection) {
   press(Qt::Key_Up);
   EXPECT_NEAR((*bench().cut().direction - was.frame.y).norm(), 0, 1e-12) << "90°";
   EXPECT_EQ(bench().cut().direction->x(), 0) << "no digits of a sine are left";
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(BlockHandlesTest, TheMastLeansThePlanes) {
+  openBlock("ripple-along");
+  const Design before = bench().design();
+  const Box was = placementOf(bench())->box();
+  ASSERT_NEAR(bench().shownCut()->setup->planes.direction().dot(was.frame.y), 1, 1e-9) << "along y, upright";
+  const Eigen::Vector3d mast = place(BlockPart::lean) - was.center();
+  EXPECT_NEAR(mast.normalized().dot(was.frame.normal), 1, 1e-9);
+  hover(handle(BlockPart::lean));
+  EXPECT_EQ(handles().text, "Lean of the planes: 0°");
+  // The tops of the planes stay behind: they lean back, and the blade rises as it goes.
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::lean, was.center() + Eigen::AngleAxisd(fromDegrees(11), was.frame.x) * mast));
+  ASSERT_TRUE(bench().cut().direction);
+  const Eigen::Vector3d now = *bench().cut().direction;
+  EXPECT_NEAR(
+      (now - (std::cos(fromDegrees(10)) * was.frame.y + std::sin(fromDegrees(10)) * was.frame.normal)).norm(),
+      0, 1e-9)
+      << now.transpose();
+  EXPECT_EQ(handles().text, "Lean of the planes: 10° (+10)");
+  picture("block-handles-lean");
+  release();
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_NEAR(bench().shownCut()->setup->planes.direction().dot(now), 1, 1e-9);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Lean planes");
+  // The arrow keeps the lean, and the mast the direction.
+  ASSERT_NO_FATAL_FAILURE(press(Qt::Key_Down));
+  EXPECT_NEAR(toDegrees(std::asin(bench().cut().direction->z())), 5, 1e-9);
+  type("-7.5");
+  EXPECT_NEAR(toDegrees(std::asin(bench().cut().direction->z())), -7.5, 1e-9);
+  EXPECT_NEAR(bench().cut().direction->x(), 0, 1e-12);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   bench().document().undoStack().setIndex(0);
   EXPECT_EQ(bench().design(), before);
 }

@@ -25,7 +25,10 @@ namespace {
 constexpr int kFaces = 6;
 constexpr double kLeast = 10, kMost = 1e5;       // mm, of a size
 constexpr HandSteps kTurns = {1, 15, 45};        // degrees
+constexpr HandSteps kLeans = {1, 5, 15};         // degrees
+constexpr double kMostLean = 80;                 // degrees
 constexpr double kRing = 1.12, kTip = 1.35;      // of half a diagonal of the block, from its middle
+constexpr double kMast = 0.35;                   // of that, over the top of the block
 constexpr double kBarb = 0.09, kBarbAngle = 25;  // of the arrow's length, and degrees
 constexpr int kRingParts = 72;
 constexpr double kUpright = 1e-3;  // sine between the travel and the vertical, below which it turns nothing
@@ -34,6 +37,8 @@ constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
 bool isFace(BlockPart part) { return int(part) < kFaces; }
 int axisOf(BlockPart part) { return int(part) / 2; }
 double sideOf(BlockPart part) { return int(part) % 2 ? 1 : -1; }
+/// True of what belongs to the cut rather than to the block.
+bool isOfCut(BlockPart part) { return part == BlockPart::direction || part == BlockPart::lean; }
 
 Eigen::Vector3d axisIn(const Frame& frame, int axis) {
   return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.normal;
@@ -51,6 +56,12 @@ QString degreesText(double degrees) { return QString::fromStdString(shortText(de
 Eigen::Vector2d unitAt(double degrees) {
   const auto clean = [](double number) { return std::abs(number) < 1e-15 ? 0.0 : number; };
   return {clean(std::cos(fromDegrees(degrees))), clean(std::sin(fromDegrees(degrees)))};
+}
+
+QString textOfEdit(BlockPart part) {
+  if (isFace(part)) return BlockHandles::tr("Resize block");
+  if (part == BlockPart::turn) return BlockHandles::tr("Rotate block");
+  return part == BlockPart::lean ? BlockHandles::tr("Lean planes") : BlockHandles::tr("Change direction");
 }
 
 /// The block with another value of a part.
@@ -72,6 +83,7 @@ BlockPlacement placedWith(const BlockPlacement& placed, BlockPart part, double v
 }  // namespace
 
 double BlockHandles::within(const Standing& was, BlockPart part, double value) {
+  if (part == BlockPart::lean) return std::clamp(value, -kMostLean, kMostLean);
   if (!isFace(part)) return wrapped(value);
   return std::clamp(value, std::min(kLeast, valueOf(was, part)), kMost);
 }
@@ -110,13 +122,34 @@ double BlockHandles::valueOf(const Standing& standing, BlockPart part) {
   if (isFace(part)) return standing.placed.size[axisOf(part)];
   if (part == BlockPart::turn) return toDegrees(standing.placed.rotation.z());
   const Frame& frame = standing.lies.frame;
+  if (part == BlockPart::lean)
+    return toDegrees(std::asin(std::clamp(standing.travel.dot(frame.normal), -1.0, 1.0)));
   return toDegrees(std::atan2(standing.travel.dot(frame.y), standing.travel.dot(frame.x)));
+}
+
+Eigen::Vector3d BlockHandles::travelWith(const Standing& was, BlockPart part, double value) {
+  const Frame& frame = was.lies.frame;
+  const bool leans = part == BlockPart::lean;
+  const Eigen::Vector2d up = unitAt(leans ? value : valueOf(was, BlockPart::lean));
+  const Eigen::Vector2d way = up.x() * unitAt(leans ? valueOf(was, BlockPart::direction) : value);
+  Eigen::Vector3d travel = way.x() * frame.x + way.y() * frame.y + up.y() * frame.normal;
+  for (double& number : travel)
+    if (std::abs(number) < 1e-12) number = 0;
+  return travel;
 }
 
 Frame BlockHandles::planeOf(const Standing& standing, BlockPart part) {
   const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
   Frame plane = box.frame;
-  plane.origin = box.center() + 0.5 * box.size.z() * box.frame.normal;
+  plane.origin = box.center();
+  if (part == BlockPart::lean) {
+    const Eigen::Vector3d up = box.frame.normal;
+    plane.x = (standing.travel - standing.travel.dot(up) * up).normalized();
+    plane.y = up;
+    plane.normal = plane.x.cross(plane.y);
+  } else {
+    plane.origin += 0.5 * box.size.z() * box.frame.normal;
+  }
   return plane;
 }
 
@@ -128,13 +161,18 @@ Eigen::Vector3d BlockHandles::placeOf(const Standing& standing, BlockPart part) 
   }
   const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
   const double radius = 0.5 * box.size.head<2>().norm();
+  if (part == BlockPart::lean)
+    return planeOf(standing, part)
+        .toWorld((0.5 * box.size.z() + kMast * radius) * unitAt(90 + valueOf(standing, part)));
   // The ring is taken hold of between two faces.
   const Eigen::Vector2d at = part == BlockPart::turn ? kRing * radius * unitAt(-45)
                                                      : kTip * radius * unitAt(valueOf(standing, part));
   return planeOf(standing, part).toWorld(at);
 }
 
-HandSteps BlockHandles::stepsOf(BlockPart part) const { return isFace(part) ? surface_.steps() : kTurns; }
+HandSteps BlockHandles::stepsOf(BlockPart part) const {
+  return isFace(part) ? surface_.steps() : part == BlockPart::lean ? kLeans : kTurns;
+}
 
 QString BlockHandles::nameOf(BlockPart part) const {
   switch (part) {
@@ -153,9 +191,11 @@ QString BlockHandles::nameOf(BlockPart part) const {
     case BlockPart::turn:
       return tr("Rotation Z");
     case BlockPart::direction:
+      return tr("Cutting direction");
+    case BlockPart::lean:
       break;
   }
-  return tr("Cutting direction");
+  return tr("Lean of the planes");
 }
 
 QString BlockHandles::textOf(const Standing& standing, BlockPart part) const {
@@ -163,8 +203,8 @@ QString BlockHandles::textOf(const Standing& standing, BlockPart part) const {
   QString text =
       isFace(part)
           ? tr("%1: size %2 %3").arg(nameOf(part), kAxes[std::size_t(axisOf(part))], lengthText(value))
-      : part == BlockPart::turn ? tr("%1: %2").arg(nameOf(part), degreesText(value))
-                                : tr("%1: %2 from the block's X").arg(nameOf(part), degreesText(value));
+      : part == BlockPart::direction ? tr("%1: %2 from the block's X").arg(nameOf(part), degreesText(value))
+                                     : tr("%1: %2").arg(nameOf(part), degreesText(value));
   if (!pull_ || pull_->part != part) return text;
   const double by =
       isFace(part) ? value - valueOf(pull_->was, part) : wrapped(value - valueOf(pull_->was, part));
@@ -209,7 +249,7 @@ std::optional<Snap> BlockHandles::snapOf(BlockPart part, double by) const {
 }
 
 QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
-  if (part == BlockPart::direction || !standing.gridded) return {};
+  if (isOfCut(part) || !standing.gridded) return {};
   const QString block = QString::fromStdString(bench_.selection().block);
   return isFace(part)
              ? tr("%1 lies in a grid, which tells its size: pull a boundary in the tab Blocks, or type its "
@@ -221,13 +261,13 @@ QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
 
 int BlockHandles::handleOf(BlockPart part) const {
   const std::optional<Standing> now = standing();
-  if (!now || (part == BlockPart::direction && !now->travelled)) return -1;
+  if (!now || (isOfCut(part) && !now->travelled)) return -1;
   return surface_.count() + int(part);
 }
 
 std::optional<BlockPart> BlockHandles::partOf(int handle) const {
   const int part = handle - surface_.count();
-  if (part < 0 || part > int(BlockPart::direction) || handleOf(BlockPart(part)) != handle) return {};
+  if (part < 0 || part > int(BlockPart::lean) || handleOf(BlockPart(part)) != handle) return {};
   return BlockPart(part);
 }
 
@@ -236,7 +276,7 @@ void BlockHandles::applyTo(scene::Style& style) const {
   if (!now || style.chooseFaces) return;
   scene::Handles& handles = style.handles;
   const int first = int(handles.points.size());
-  const int last = int(now->travelled ? BlockPart::direction : BlockPart::turn);
+  const int last = int(now->travelled ? BlockPart::lean : BlockPart::turn);
   for (int part = 0; part <= last; ++part) handles.points.push_back(placeOf(*now, BlockPart(part)));
   const Frame ring = planeOf(*now, BlockPart::turn);
   scene::Polyline circle;
@@ -254,8 +294,10 @@ void BlockHandles::applyTo(scene::Style& style) const {
       arrow.insert(arrow.end(),
                    {plane.toWorld(tip + kBarb * length * unitAt(angle + barb)), plane.toWorld(tip)});
     handles.curves.push_back(std::move(arrow));
+    handles.curves.push_back({planeOf(*now, BlockPart::lean).origin, placeOf(*now, BlockPart::lean)});
+    handles.curves.push_back(middlePlaneOf(*now));
   }
-  if (pull_ && pull_->part != BlockPart::direction) {
+  if (pull_ && !isOfCut(pull_->part)) {
     // The block goes with the hand at once; its picture follows.
     const std::array<Eigen::Vector3d, 8> corner = now->box.corners();
     for (const auto& [a, b] : std::initializer_list<std::pair<int, int>>{
@@ -278,6 +320,29 @@ void BlockHandles::applyTo(scene::Style& style) const {
   handles.ways.clear();
 }
 
+scene::Polyline BlockHandles::middlePlaneOf(const Standing& standing) {
+  // A box and a plane through its middle meet in edges that the plane crosses, seen in their order about it.
+  const Box& box = standing.lies;
+  const std::array<Eigen::Vector3d, 8> corners = box.corners();
+  const Eigen::Vector3d middle = box.center(), across = standing.travel.unitOrthogonal(),
+                        other = standing.travel.cross(across);
+  std::vector<std::pair<double, Eigen::Vector3d>> met;
+  for (std::size_t a = 0; a < corners.size(); ++a)
+    for (const std::size_t bit : {1u, 2u, 4u}) {
+      if (a & bit) continue;
+      const Eigen::Vector3d &from = corners[a], &to = corners[a | bit];
+      const double before = standing.travel.dot(from - middle), after = standing.travel.dot(to - middle);
+      if ((before < 0) == (after < 0)) continue;
+      const Eigen::Vector3d at = from + before / (before - after) * (to - from);
+      met.emplace_back(std::atan2(other.dot(at - middle), across.dot(at - middle)), at);
+    }
+  std::ranges::sort(met, {}, [](const auto& one) { return one.first; });
+  scene::Polyline outline;
+  for (const auto& [angle, at] : met) outline.push_back(at);
+  if (!outline.empty()) outline.push_back(outline.front());
+  return outline;
+}
+
 void BlockHandles::choose(std::optional<BlockPart> part) {
   if (!pull_ || !pull_->held) endPull();
   field_->close();
@@ -287,8 +352,7 @@ void BlockHandles::choose(std::optional<BlockPart> part) {
 }
 
 bool BlockHandles::isOfAnother() const {
-  return chosen_ &&
-         (bench_.selection().block != block_ || (chosen_ == BlockPart::direction && bench_.cut().id != cut_));
+  return chosen_ && (bench_.selection().block != block_ || (isOfCut(*chosen_) && bench_.cut().id != cut_));
 }
 
 void BlockHandles::begin(BlockPart part, bool held, const Standing& standing) {
@@ -347,20 +411,14 @@ void BlockHandles::pull(double value, bool live) {
   const BlockPart part = pull_->part;
   const Standing& was = pull_->was;
   pulling_ = true;
-  if (part == BlockPart::direction) {
-    const Frame& frame = was.lies.frame;
-    const double up = was.travel.dot(frame.normal), across = std::sqrt(std::max(0.0, 1 - up * up));
-    const Eigen::Vector2d way = across * unitAt(value);
-    Eigen::Vector3d direction = way.x() * frame.x + way.y() * frame.y + up * frame.normal;
-    for (double& number : direction)
-      if (std::abs(number) < 1e-12) number = 0;
+  if (isOfCut(part)) {
+    const Eigen::Vector3d direction = travelWith(was, part, value);
     bench_.editCut(
-        tr("Change direction"), [&](Cut& cut) { cut.direction = direction; }, pull_->mergeId, live);
+        textOfEdit(part), [&](Cut& cut) { cut.direction = direction; }, pull_->mergeId, live);
   } else {
     const BlockPlacement next = placedWith(was.placed, part, value);
     bench_.editBlock(
-        isFace(part) ? tr("Resize block") : tr("Rotate block"),
-        [&](StockBlock& block) { block.placement = next; }, pull_->mergeId, live);
+        textOfEdit(part), [&](StockBlock& block) { block.placement = next; }, pull_->mergeId, live);
   }
   pulling_ = false;
   emit changed();
@@ -374,7 +432,7 @@ void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::st
   const std::string place = placeInBlock(bench_, "/origin/")();
   pulling_ = true;
   bench_.editDesign(
-      isFace(part) ? tr("Resize block") : tr("Rotate block"),
+      textOfEdit(part),
       [&](Design& design) {
         StockBlock& block = *std::ranges::find(design.stock, bench_.block().id, &StockBlock::id);
         for (std::size_t i = 0; i < corner.size(); ++i) {
@@ -389,12 +447,9 @@ void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::st
 }
 
 void BlockHandles::giveUp() {
-  const QString text = pull_->part == BlockPart::direction ? tr("Change direction")
-                       : pull_->part == BlockPart::turn    ? tr("Rotate block")
-                                                           : tr("Resize block");
   pulling_ = true;
   bench_.editDesign(
-      text, [this](Design& design) { design = pull_->from; }, pull_->mergeId);
+      textOfEdit(pull_->part), [this](Design& design) { design = pull_->from; }, pull_->mergeId);
   pulling_ = false;
 }
 
@@ -492,7 +547,9 @@ void BlockHandles::openField(const QKeyEvent* typed) {
   line.label = isFace(part) ? tr("Size %1").arg(kAxes[std::size_t(axisOf(part))]) : nameOf(part);
   line.name = tr("%1 of %2").arg(line.label, block);
   line.range = isFace(part) ? NumberRange{kLeast, kMost, 3, 10, "mm"}
-                            : NumberRange{-360, 360, 3, kTurns.plain, QString(QChar(0xb0))};
+               : part == BlockPart::lean
+                   ? NumberRange{-kMostLean, kMostLean, 3, kLeans.plain, QString(QChar(0xb0))}
+                   : NumberRange{-360, 360, 3, kTurns.plain, QString(QChar(0xb0))};
   line.value = [this, part]() -> std::optional<double> {
     const std::optional<Standing> now = standing();
     return now && chosen_ == part ? std::optional(valueOf(*now, part)) : std::nullopt;

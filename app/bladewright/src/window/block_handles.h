@@ -23,15 +23,15 @@
 
 namespace bw::app {
 
-/// What of a block is taken hold of: its faces, the ring that turns it about its z, and the tip of the arrow
-/// that the blade travels along.
-enum class BlockPart { left, right, front, back, bottom, top, turn, direction };
+/// What of a block is taken hold of: its faces, the ring that turns it about its z, the tip of the arrow that
+/// the blade travels along, and the mast of the plane in its middle, by which all planes lean.
+enum class BlockPart { left, right, front, back, bottom, top, turn, direction, lean };
 
 /// The handles of the block that is selected, in the 3D view beside those of the surface. A face is pulled
 /// along its normal: its size is counted in mm or by the grid of the handles; the ring and the arrow are
-/// turned in steps of 15°, with Shift of 45°, with Ctrl or Alt of 1°. Esc gives a pull up. The handle pressed
-/// last takes the arrow keys, and numbers typed. Blocks of a grid are neither resized nor turned here, and
-/// say so.
+/// turned in steps of 15°, with Shift of 45°, with Ctrl or Alt of 1°, the mast in 5°, 15° and 1°.
+/// Esc gives a pull up. The handle pressed last takes the arrow keys, and numbers typed. Blocks of a grid are
+/// neither resized nor turned here, and say so.
 class BlockHandles : public QObject {
   Q_OBJECT
 
@@ -81,6 +81,10 @@ class BlockHandles : public QObject {
   /// What a part may become of what it is wished to be.
   static double within(const Standing& was, BlockPart part, double value);
   Eigen::Vector3d placeOf(const Standing& standing, BlockPart part) const;
+  /// The travel of the blade with another value of the arrow or the mast.
+  static Eigen::Vector3d travelWith(const Standing& was, BlockPart part, double value);
+  /// Where the plane of the blade through the middle of the block leaves it.
+  static scene::Polyline middlePlaneOf(const Standing& standing);
   /// The plane in which a part turns.
   static Frame planeOf(const Standing& standing, BlockPart part);
   /// What a part is counted by.
