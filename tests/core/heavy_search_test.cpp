@@ -122,6 +122,38 @@ TEST(HeavySearch, FindsShapesThatOnlyWeightBringsAbout) {
   EXPECT_NEAR(answer->solutions.front().barrier.value(), 0.66, 0.01) << "of a discrete rod";
 }
 
+TEST(HeavySearch, BarriersAreThoseOfAChainThatIsLedOverThem) {
+  // Shallow shapes beside their pass, and grips that are mirror images of each other, whose lowest passes are
+  // not: pushes that lead chains of 400 segments over, the least that were found.
+  struct Case {
+    double length, chord, startAngle, endAngle;
+    double lower, upper;  ///< N mm
+  };
+  const Case cases[] = {
+      {814.8192108744767, 814.6091524278738, 0.0003292466890595855, -0.001506715477706382, 2.797, 0.126},
+      {900, 899.55, 0.05, -0.05, 1.321, 0.905},
+      {1000, 999.5, 0.05, -0.05, 1.591, 0.665},
+      {900, 899.37, -0.02, 0.02, 7.668, 0.069},
+  };
+  for (const Case& told : cases) {
+    HeavyProblem problem;
+    problem.grips.length = told.length;
+    problem.grips.end = {told.chord, 0};
+    problem.grips.startAngle = told.startAngle;
+    problem.grips.endAngle = told.endAngle;
+    problem.stiffness = 83333;
+    problem.weight = {0, -0.000407};
+    const Result<HeavyAnswer> answer = solveAllHeavy(problem);
+    ASSERT_TRUE(answer);
+    std::vector<double> barriers;
+    for (const HeavySolution& solution : answer->solutions)
+      if (solution.stable) barriers.push_back(solution.barrier.value_or(kInfinite));
+    ASSERT_EQ(barriers.size(), 2u) << told.length;
+    EXPECT_NEAR(barriers[0], told.lower, 0.001) << told.length;
+    EXPECT_NEAR(barriers[1], told.upper, 0.001) << told.length;
+  }
+}
+
 TEST(HeavySearch, EnergiesAndWhatIsClearlyHigherAreThoseOfMirrorImages) {
   std::mt19937 random(5);
   const auto level = [](const Vector2d& point) { return Vector2d(-point.x(), point.y()); };

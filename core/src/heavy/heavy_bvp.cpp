@@ -271,12 +271,24 @@ class Search {
 
   double energyAt(std::size_t i) const { return energyOf(unit_.hold(found_[i].turning), found_[i].shape); }
 
+  /// What an unstable shape falls into to either side. One that gives way in several directions is no pass:
+  /// along the ridges that meet there lower ones are found, which do in one alone.
   void passOver(std::size_t i) {
     const double turning = found_[i].turning;
-    const Sides sides = fallFrom(unit_.hold(turning), found_[i].shape);
-    if (!sides.first || !sides.second) return;
-    const std::size_t one = add(turning, *sides.first), other = add(turning, *sides.second);
-    if (one != other) passes_.push_back({i, one, other});
+    const Hold hold = unit_.hold(turning);
+    const Shape top = found_[i].shape;
+    const std::vector<VectorXd> ways = heavy::givingWay(Equations(modesOf(top.count()), hold, top));
+    if (ways.empty()) return;
+    std::vector<std::size_t> into;
+    for (const double push : {kPush, -kPush})
+      if (const std::optional<Shape> side = heavy::fallBeside(hold, top, push * ways[0]))
+        into.push_back(add(turning, *side));
+    if (ways.size() == 1 && into.size() == 2 && into[0] != into[1]) passes_.push_back({i, into[0], into[1]});
+    if (ways.size() == 1) return;
+    for (const std::size_t up : {0u, 1u})
+      for (const double push : {kPush, -kPush})
+        if (const std::optional<Shape> pass = heavy::passBeside(hold, top, ways[up], push * ways[1 - up]))
+          add(turning, *pass);
   }
 
   const Unit& unit_;

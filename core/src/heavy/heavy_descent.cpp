@@ -22,6 +22,8 @@ constexpr double kLongestFall = 0.7;   // rad: a step that does not leave the va
 constexpr double kNearRest = 1e-5;     // of the gradient: Newton's method does the rest
 constexpr double kStiffEnough = 1e-3;  // smaller eigenvalues count as this
 constexpr double kOffASaddle = 0.05;   // rad: a step from where nothing pulls but nothing holds either
+constexpr double kFirstStride = 0.03;  // rad, of a way that begins beside an unstable shape
+constexpr double kStride = 0.5;        // of that way, the longest from there on
 
 /// Leads the coefficients back to where the ends are held, by the shortest way.
 bool close(const Modes& modes, const Hold& hold, Shape& shape) {
@@ -54,12 +56,24 @@ VectorXd softest(const Equations& equations) {
   return freeDirections(equations) * eigen.eigenvectors().col(0);
 }
 
-std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& push) {
+std::vector<VectorXd> givingWay(const Equations& equations) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
+  const MatrixXd free = freeDirections(equations);
+  std::vector<VectorXd> ways;
+  for (Eigen::Index i = 0; i < eigen.eigenvalues().size() && eigen.eigenvalues()(i) < 0; ++i)
+    ways.push_back(free * eigen.eigenvectors().col(i));
+  return ways;
+}
+
+namespace {
+
+std::optional<Shape> fallFrom(const Hold& hold, const Shape& start, const VectorXd& push, bool beside) {
   // The way down needs no fine modes, only its end.
   const Modes& modes = modesOf(1);
   Shape shape{(start.coefficients + push).head(modes.count()), start.force};
   if (!close(modes, hold, shape)) return {};
   balance(modes, hold, shape);
+  const VectorXd from = shape.coefficients;
   double energy = Equations(modes, hold, shape).energy();
   for (int i = 0; i < kMostFalls && !detail::workExhausted(); ++i) {
     const Equations equations(modes, hold, shape);
@@ -82,7 +96,10 @@ std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& 
       if (!holds && std::abs(step(0)) < kOffASaddle) step(0) = step(0) < 0 ? -kOffASaddle : kOffASaddle;
       step = free * (eigen.eigenvectors() * step);
     }
-    step *= std::min(1.0, kLongestFall / step.norm());
+    const double longest =
+        beside ? std::clamp(kStride * (shape.coefficients - from).norm(), kFirstStride, kLongestFall)
+               : kLongestFall;
+    step *= std::min(1.0, longest / step.norm());
     bool lower = false;
     for (int halving = 0; halving < 12 && !lower; ++halving, step *= 0.5) {
       Shape next = shape;
@@ -100,6 +117,50 @@ std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& 
   const std::optional<Shape> rest = settle(hold, shape, 8);
   if (!rest || !isStable(Equations(modes, hold, *rest))) return {};
   return refined(hold, *rest, kResolved);
+}
+
+}  // namespace
+
+std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& push) {
+  return fallFrom(hold, start, push, false);
+}
+
+std::optional<Shape> fallBeside(const Hold& hold, const Shape& start, const VectorXd& push) {
+  return fallFrom(hold, start, push, true);
+}
+
+std::optional<Shape> passBeside(const Hold& hold, const Shape& start, const VectorXd& up,
+                                const VectorXd& push) {
+  const Modes& modes = modesOf(1);
+  Shape shape{(start.coefficients + push).head(modes.count()), start.force};
+  if (!close(modes, hold, shape)) return {};
+  balance(modes, hold, shape);
+  const VectorXd from = shape.coefficients;
+  VectorXd climbing = up.head(modes.count());
+  for (int i = 0; i < kMostFalls && !detail::workExhausted(); ++i) {
+    const Equations equations(modes, hold, shape);
+    const MatrixXd free = freeDirections(equations);
+    const VectorXd gradient = free.transpose() * equations.residual().head(shape.count());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
+    const MatrixXd directions = free * eigen.eigenvectors();
+    Eigen::Index along = 0;
+    (directions.transpose() * climbing).cwiseAbs().maxCoeff(&along);
+    climbing = directions.col(along);
+    const auto soft = (eigen.eigenvalues().array() < 0).count();
+    if (gradient.norm() < kNearRest && soft == 1 && along == 0) break;
+    VectorXd step = eigen.eigenvectors().transpose() * gradient;
+    step.array() /= -eigen.eigenvalues().array().abs().max(kStiffEnough);
+    step(along) = -step(along);
+    const double longest =
+        std::clamp(kStride * (shape.coefficients - from).norm(), kFirstStride, kLongestFall);
+    step *= std::min(1.0, longest / step.norm());
+    shape.coefficients += directions * step;
+    if (!close(modes, hold, shape)) return {};
+    balance(modes, hold, shape);
+  }
+  const std::optional<Shape> pass = settle(hold, shape, 8);
+  if (!pass || givingWay(Equations(modesOf(pass->count()), hold, *pass)).size() != 1) return {};
+  return refined(hold, *pass, kResolved);
 }
 
 }  // namespace bw::heavy

@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include <vector>
+
 #include "heavy/heavy_equations.h"
 
 namespace bw::heavy {
@@ -13,8 +15,19 @@ namespace bw::heavy {
 /// the coefficients first. Empty if it finds none.
 std::optional<Shape> fall(const Hold& hold, const Shape& start, const Eigen::VectorXd& push);
 
-/// The change of the coefficients against which the blade resists least, of length 1: the eigenvector of the
-/// smallest eigenvalue of `reducedHessian`.
+/// The same from next to an unstable shape, in strides that grow with the way from there: shapes that lie
+/// near are not strode over.
+std::optional<Shape> fallBeside(const Hold& hold, const Shape& start, const Eigen::VectorXd& push);
+
+/// The shape next to an unstable one that gives way in one direction alone, `up` to begin with: along that
+/// the energy is climbed, along all others it is gone down. Empty if it finds none.
+std::optional<Shape> passBeside(const Hold& hold, const Shape& start, const Eigen::VectorXd& up,
+                                const Eigen::VectorXd& push);
+
+/// The changes of the coefficients to which a shape gives way, of length 1, the softest first: the
+/// eigenvectors of the negative eigenvalues of `reducedHessian`.
+std::vector<Eigen::VectorXd> givingWay(const Equations& equations);
+/// The one of its smallest eigenvalue, whether it gives way or not.
 Eigen::VectorXd softest(const Equations& equations);
 
 }  // namespace bw::heavy
