@@ -122,9 +122,10 @@ TEST(HeavySearch, FindsShapesThatOnlyWeightBringsAbout) {
   EXPECT_NEAR(answer->solutions.front().barrier.value(), 0.66, 0.01) << "of a discrete rod";
 }
 
-TEST(HeavySearch, BarriersAreThoseOfAChainThatIsLedOverThem) {
+TEST(HeavySearch, BarriersAreThoseOfARodInSines) {
   // Shallow shapes beside their pass, and grips that are mirror images of each other, whose lowest passes are
-  // not: pushes that lead chains of 400 segments over, the least that were found.
+  // not. Another route's numbers: Newton's method from anywhere on angles in sine modes. For the first and
+  // the third case a chain of 400 segments was led over, too.
   struct Case {
     double length, chord, startAngle, endAngle;
     double lower, upper;  ///< N mm
