@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/base/box_in_plane.h"
+
 namespace bw::app {
 
 namespace {
@@ -22,30 +24,6 @@ QPolygonF toPolygon(const std::vector<Eigen::Vector2d>& points) {
   polygon.reserve(qsizetype(points.size()));
   for (const Eigen::Vector2d& p : points) polygon << toPoint(p);
   return polygon;
-}
-
-/// The outline of a box in a plane: the polygon of the crossings of its edges.
-QPolygonF boxInPlane(const Box& box, const Frame& frame) {
-  const std::array<Eigen::Vector3d, 8> corners = box.corners();
-  std::vector<Eigen::Vector2d> points;
-  for (int a = 0; a < 8; ++a)
-    for (int axis = 1; axis < 8; axis *= 2) {
-      const int b = a | axis;
-      if (b == a) continue;
-      const Eigen::Vector3d p = frame.toLocal(corners[std::size_t(a)]),
-                            q = frame.toLocal(corners[std::size_t(b)]);
-      if ((p.z() < 0) == (q.z() < 0) || p.z() == q.z()) continue;
-      const double t = p.z() / (p.z() - q.z());
-      points.push_back((p + t * (q - p)).head<2>());
-    }
-  if (points.size() < 3) return {};
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : points) center += p / double(points.size());
-  std::sort(points.begin(), points.end(), [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
-    return std::atan2(p.y() - center.y(), p.x() - center.x()) <
-           std::atan2(q.y() - center.y(), q.x() - center.x());
-  });
-  return toPolygon(points);
 }
 
 QRectF boundsOf(std::initializer_list<const QPolygonF*> polygons) {
@@ -91,7 +69,7 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, in
   };
   drawing.before = neighbour(index - 1);
   drawing.after = neighbour(index + 1);
-  drawing.foam = boxInPlane(sweep.block, station.frame);
+  drawing.foam = toPolygon(boxInPlane(sweep.block, station.frame));
   if (other)
     for (const Eigen::Vector2d& place : other->places) drawing.other << toPoint(place);
   if (exaggeration != 1) {

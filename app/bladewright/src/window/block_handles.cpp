@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "bw/core/base/box_in_plane.h"
 #include "bw/core/base/units.h"
 #include "bw/core/parts/cut_pose.h"
 #include "bw/core/text/number_text.h"
@@ -321,24 +322,14 @@ void BlockHandles::applyTo(scene::Style& style) const {
 }
 
 scene::Polyline BlockHandles::middlePlaneOf(const Standing& standing) {
-  // A box and a plane through its middle meet in edges that the plane crosses, seen in their order about it.
-  const Box& box = standing.lies;
-  const std::array<Eigen::Vector3d, 8> corners = box.corners();
-  const Eigen::Vector3d middle = box.center(), across = standing.travel.unitOrthogonal(),
-                        other = standing.travel.cross(across);
-  std::vector<std::pair<double, Eigen::Vector3d>> met;
-  for (std::size_t a = 0; a < corners.size(); ++a)
-    for (const std::size_t bit : {1u, 2u, 4u}) {
-      if (a & bit) continue;
-      const Eigen::Vector3d &from = corners[a], &to = corners[a | bit];
-      const double before = standing.travel.dot(from - middle), after = standing.travel.dot(to - middle);
-      if ((before < 0) == (after < 0)) continue;
-      const Eigen::Vector3d at = from + before / (before - after) * (to - from);
-      met.emplace_back(std::atan2(other.dot(at - middle), across.dot(at - middle)), at);
-    }
-  std::ranges::sort(met, {}, [](const auto& one) { return one.first; });
+  Frame plane;
+  plane.origin = standing.lies.center();
+  plane.normal = standing.travel;
+  plane.x = standing.travel.unitOrthogonal();
+  plane.y = plane.normal.cross(plane.x);
   scene::Polyline outline;
-  for (const auto& [angle, at] : met) outline.push_back(at);
+  for (const Eigen::Vector2d& corner : boxInPlane(standing.lies, plane))
+    outline.push_back(plane.toWorld(corner));
   if (!outline.empty()) outline.push_back(outline.front());
   return outline;
 }
