@@ -122,6 +122,31 @@ TEST(HeavySearch, FindsShapesThatOnlyWeightBringsAbout) {
   EXPECT_NEAR(answer->solutions.front().barrier.value(), 0.66, 0.01) << "of a discrete rod";
 }
 
+TEST(HeavySearch, FindsWhatTheWeightMakesOfAFork) {
+  // Grips between which the branches of the weightless blade fork: none can be followed as the weight comes
+  // on. Close beside them all are the same.
+  HeavyProblem problem;
+  problem.grips.length = 600;
+  problem.grips.startAngle = problem.grips.endAngle = 0.02;
+  problem.stiffness = 83333;
+  problem.weight = {0, -0.000407};
+  const auto energies = [&](double chord) {
+    problem.grips.end = {chord, 0};
+    std::vector<double> all;
+    const Result<HeavyAnswer> answer = solveAllHeavy(problem);
+    EXPECT_TRUE(answer) << chord;
+    if (answer)
+      for (const HeavySolution& solution : answer->solutions) all.push_back(solution.energy);
+    return all;
+  };
+  const std::vector<double> there = energies(599.94);
+  for (const double beside : {599.9401, 599.9399}) {
+    const std::vector<double> near = energies(beside);
+    ASSERT_EQ(near.size(), there.size());
+    for (std::size_t i = 0; i < near.size(); ++i) EXPECT_NEAR(near[i], there[i], 0.01);
+  }
+}
+
 TEST(HeavySearch, BarriersAreThoseOfARodInSines) {
   // Shallow shapes beside their pass, and grips that are mirror images of each other, whose lowest passes are
   // not. Another route's numbers: Newton's method from anywhere on angles in sine modes. For the first and

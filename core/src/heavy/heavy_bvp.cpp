@@ -207,8 +207,12 @@ class Search {
     for (const ClampedSolution& solution : weightless.solutions) {
       const std::optional<Shape> start = shapeOf(unit, solution.elastica, solution.turning, kModesSearched);
       if (!start) continue;
-      heavy::allAlong(unit.weighing(solution.turning), *start,
-                      [&](const Shape& shape) { found_[add(solution.turning, shape)].followed = true; });
+      bool led = false;
+      heavy::allAlong(unit.weighing(solution.turning), *start, [&](const Shape& shape) {
+        found_[add(solution.turning, shape)].followed = true;
+        led = true;
+      });
+      if (!led) fallInto(solution.turning, *start);
     }
     goOn();
   }
@@ -249,6 +253,13 @@ class Search {
     const Hold hold = unit_.hold(turning);
     found_.push_back({turning, shape, heavy::isStable(Equations(modesOf(shape.count()), hold, shape))});
     return found_.size() - 1;
+  }
+
+  /// What its weight makes of a shape that cannot be followed as it comes on, as where branches fork.
+  void fallInto(double turning, const Shape& shape) {
+    const Sides sides = fallFrom(unit_.hold(turning), shape);
+    if (sides.first) add(turning, *sides.first);
+    if (sides.second) add(turning, *sides.second);
   }
 
   /// What those found lead to: unstable ones to what they fall into, on the way to barriers; stable ones to
