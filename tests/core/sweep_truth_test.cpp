@@ -721,6 +721,19 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_EQ(beside.findings[0].severity, Severity::error);
   EXPECT_EQ(std::get<Uncovered>(beside.findings[0].cause).where, Uncovered::Where::beside);
   EXPECT_NEAR(beside.point.x(), 140, 1e-9);
+  // … unless the blade goes on over it: not where it rises from it, nor as far as it does not come.
+  const auto goingOn = [&](double slope) {
+    const auto blades = [slope] {
+      SurfaceGrid grid = flatCut();
+      for (int r = 0; r < grid.rows; ++r)
+        grid.points[std::size_t(11 * r + 10)] += Vector3d(30, 0, 30 * slope);
+      return grid;
+    };
+    return coverageOf(flatCut(), *sweep, rectangle(-100, 140, -80, 0), {2, 0, nullptr, blades});
+  };
+  EXPECT_NEAR(goingOn(0).uncovered, 8 * 80, 0.02 * 240 * 80);
+  EXPECT_NEAR(goingOn(0).distance, 40, 1e-9);
+  EXPECT_GT(goingOn(1).uncovered, 30 * 80);
 
   const Coverage after = look(rectangle(-100, 100, -188, 0));
   EXPECT_NEAR(after.distance, 108, 1e-9);

@@ -491,22 +491,17 @@ Result<void> compare(const CutWork& work, double& seconds) {
                      });
 }
 
-/// Rows that go on at both ends by so many mm, as the blade does: what stands back from a surface that leans
-/// there ends that much sooner than it at most.
-SurfaceGrid longer(const SurfaceGrid& cut, double by) {
-  if (by == 0 || cut.columns < 2) return cut;
-  SurfaceGrid result;
-  result.rows = cut.rows;
-  result.columns = cut.columns + 2;
-  for (int r = 0; r < cut.rows; ++r) {
-    const auto beyond = [&](int end, int inner) -> Eigen::Vector3d {
-      return cut.at(r, end) + by * (cut.at(r, end) - cut.at(r, inner)).stableNormalized();
-    };
-    result.points.push_back(beyond(0, 1));
-    for (int c = 0; c < cut.columns; ++c) result.points.push_back(cut.at(r, c));
-    result.points.push_back(beyond(cut.columns - 1, cut.columns - 2));
+/// What the blades of a cut leave from grip to grip.
+SurfaceGrid wholeBladesOf(const CutEvaluation& e) {
+  constexpr int kColumns = 161;
+  SurfaceGrid grid;
+  grid.rows = int(e.way.value->course.size());
+  grid.columns = kColumns;
+  for (const BladePose& pose : e.way.value->course) {
+    const std::vector<Eigen::Vector3d> points = pose.bladePoints(kColumns);
+    grid.points.insert(grid.points.end(), points.begin(), points.end());
   }
-  return result;
+  return standingBeside(std::move(grid), e.middle.request, *e.sweep.value, *e.check.value);
 }
 
 /// The target against the cut surface.
@@ -515,12 +510,10 @@ Result<void> cover(const CutWork& work, double& seconds) {
   return work.settle(
       &CutEvaluation::coverage, checkRequest(work.design, work.cut), {e.analysis.value, e.targetMesh.value},
       seconds, [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
-        const double back = e.middle.request.back;
-        const SweepAnalysis& analysis = *e.analysis.value;
-        const SurfaceGrid cut = longer(analysis.cut, back);
         const std::unique_ptr<SurfaceSampler> surface = e.target.value->sampler();
-        Coverage coverage =
-            coverageOf(cut, *e.sweep.value, *e.targetMesh.value, {request.tolerance, back, surface.get()});
+        Coverage coverage = coverageOf(
+            e.analysis.value->cut, *e.sweep.value, *e.targetMesh.value,
+            {request.tolerance, e.middle.request.back, surface.get(), [&e] { return wholeBladesOf(e); }});
         findings = coverage.findings;
         return coverage;
       });

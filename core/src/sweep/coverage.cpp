@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "sweep/surface_rows.h"
@@ -25,6 +26,36 @@ bool within(const Box& box, const Vector3d& place) {
   const Vector3d local = box.frame.toLocal(place);
   return (local.array() >= 0).all() && (local.array() <= box.size.array()).all();
 }
+
+/// What a blade leaves from grip to grip, made where it is asked for first.
+class WholeBlade {
+ public:
+  WholeBlade(const CoverageRequest& request, const PlaneFamily& planes)
+      : request_(request), planes_(planes) {}
+  WholeBlade(const WholeBlade&) = delete;  // its rows look at its own grid
+  WholeBlade& operator=(const WholeBlade&) = delete;
+
+  /// True if it comes nearer to a place than that; `truly` tells where the target has it.
+  template <class Truth>
+  bool liesOn(const Vector3d& place, double within, const Truth& truly) {
+    if (!request_.whole) return false;
+    if (!rows_) {
+      grid_ = request_.whole();
+      rows_.emplace(grid_, planes_);
+    }
+    // What is far from it in its own plane is so in truth, but where the surface rises more steeply.
+    constexpr double kSteep = 6;
+    const sweep::SurfaceRows::Seen seen = rows_->look(place);
+    if (seen.beside > kSteep * within || seen.distance > kSteep * within) return false;
+    return rows_->distance(truly(), within) < within;
+  }
+
+ private:
+  const CoverageRequest& request_;
+  const PlaneFamily& planes_;
+  SurfaceGrid grid_;
+  std::optional<sweep::SurfaceRows> rows_;
+};
 
 Uncovered causeOf(const Coverage& coverage, const Sweep& sweep, bool off) {
   Uncovered cause{coverage.uncovered, 1 - coverage.share(), coverage.distance};
@@ -48,19 +79,24 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
   coverage.limit = std::max(request.tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
   const sweep::SurfaceRows rows(cut, sweep.planes);
+  WholeBlade blade(request, sweep.planes);
   bool lies = false;  // off what is cut, where it is farthest, not beyond its border
   const auto see = [&](const Vector3d& place, double area) {
     if (!within(sweep.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
-    const double beyond = std::hypot(seen.across, seen.beside);
-    // Along the plane it is farther from a surface that rises across it than in truth.
-    double off = 0;
+    double beyond = std::hypot(seen.across, seen.beside), off = 0;
     const double may = coverage.limit + kChords + std::abs(request.back);
-    if (beyond <= coverage.limit && seen.distance > may) {
-      Vector3d truly = place;
+    const auto truth = [&] {
       if (request.surface)
         if (const Result<SurfaceSampler::Foot> foot = request.surface->closest(place, nullptr))
-          truly = foot->point;
+          return foot->point;
+      return place;
+    };
+    if (beyond > coverage.limit && seen.across <= coverage.limit && blade.liesOn(place, may, truth)) {
+      beyond = seen.across;
+    } else if (beyond <= coverage.limit && seen.distance > may) {
+      // Along the plane it is farther from a surface that rises across it than in truth.
+      const Vector3d truly = truth();
       const double apart = rows.distance(truly, std::hypot(seen.distance, beyond) + (truly - place).norm());
       if (apart > std::hypot(may, beyond)) off = apart - std::abs(request.back);
     }

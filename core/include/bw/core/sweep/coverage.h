@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 #include "bw/core/base/finding.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/surface/surface_sampler.h"
@@ -30,13 +32,17 @@ struct CoverageRequest {
   /// The target itself, where its triangles lie off it by so much that it matters: a place that they have off
   /// the cut is taken where this has it. Null where it is its triangles.
   SurfaceSampler* surface = nullptr;
+  /// What the blade leaves from grip to grip, rows as those of the cut; it is asked where the target reaches
+  /// beyond the ends of the blade's cut. None: nothing is cut there.
+  std::function<SurfaceGrid()> whole = {};
 };
 
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
-/// the last station, or beyond the ends of the blade's cut in its own plane, is not covered, nor is what no
-/// cut surface comes near to (docs/mathematics.md, coverage). Beyond the limit an error tells it: the
-/// tolerance, but half a mm at least, since the outer stations keep a little off the border and the leads cut
-/// on. `cut`: rows along the blade, each in a plane of the sweep's family, in the order of travel.
+/// the last station, or beyond the ends of the blade's cut in its own plane, unless what the `whole` blade
+/// leaves lies on it, is not covered, nor is what no cut surface comes near to (docs/mathematics.md,
+/// coverage). Beyond the limit an error tells it: the tolerance, but half a mm at least, since the outer
+/// stations keep a little off the border and the leads cut on. `cut`: rows along the blade, each in a plane
+/// of the sweep's family, in the order of travel.
 [[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
                                   const CoverageRequest& request);
 
