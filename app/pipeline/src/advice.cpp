@@ -55,8 +55,8 @@ bool staysTooNear(const Finding& finding) {
 }
 
 bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
-  for (const Findings* list :
-       {&cut.analysis.findings, &cut.way.findings, &cut.ends.findings, &cut.rest.findings})
+  for (const Findings* list : {&cut.analysis.findings, &cut.way.findings, &cut.ends.findings,
+                               &cut.rest.findings, &cut.simulated.findings, &cut.barriers.findings})
     if (std::ranges::any_of(*list, what)) return true;
   return false;
 }
@@ -93,6 +93,8 @@ bool lengthFails(const CutEvaluation& cut) {
   if (!cut.rest.value || !cut.sweep.value) return false;
   if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
   if (anyOf(cut, &staysTooNear) || anyOf(cut, &leavesOnTheWay) || hasErrors(cut.ends.findings)) return true;
+  // Between the stations its run tells.
+  if (std::ranges::any_of(cut.barriers.findings, &restFails)) return true;
   constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
   const Sweep& sweep = *cut.sweep.value;
   const double sharpest = kBent * sweep.request.blade.maxCurvature();

@@ -223,13 +223,15 @@ Result<void> seekLengths(const CutWork& work, double& seconds) {
 
 namespace {
 
-/// An open length was taken for what its blades do on sections. Where its design fails, the next best is
-/// computed, and takes its place where it serves.
+/// An open length was taken for what its blades do on sections. Where its design fails, or its run, the next
+/// best is computed, and takes its place where it serves.
 Result<void> confirmTaken(const CutWork& work) {
   CutEvaluation& e = work.e;
   if (!work.blade().autoLength || work.length || !e.lengths.value->best) return {};
-  const bool failed = hasFailed(e);
+  bool failed = hasFailed(e);
   if (!failed && e.lengths.value->designed) return {};
+  if (!failed) failed = !seeRun(work, work.seconds.check) || hasFailed(e);
+  if (work.context.stopped()) return stoppedError();
   BladeLengths lengths = *e.lengths.value;
   CutEvaluation served;
   if (failed) {
@@ -672,6 +674,15 @@ Result<void> seeBarriers(const CutWork& work, double& seconds) {
       });
 }
 
+Result<void> seeRun(const CutWork& work, double& seconds) {
+  const CutEvaluation& e = work.e;
+  Result<void> ok;
+  if (!e.run.value) ok = runMotion(work, seconds);
+  if (ok && !e.simulated.value) ok = seeTheRun(work, seconds);
+  if (ok && !e.barriers.value) ok = seeBarriers(work, seconds);
+  return ok;
+}
+
 Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
   Result<void> ok = checkRow(work);
@@ -684,20 +695,22 @@ Result<void> check(const CutWork& work) {
   if (ok) ok = seekLower(work);
   if (ok) ok = confirmTaken(work);
   if (!ok) return ok;
+  work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
+  work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
+  work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
+  if (!e.run.value) return {};
+  work.keep(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value});
+  work.keep(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value});
+  return {};
+}
+
+Result<void> seekAdvice(const CutWork& work, double& seconds) {
+  const CutEvaluation& e = work.e;
   const Blade blade = work.blade();
-  if (work.purpose == Purpose::files && (lengthFails(e) || clearanceMayHelp(e, blade))) {
-    ok = seekLengths(work, work.seconds.check);
-    if (ok && clearanceMayHelp(e, blade)) ok = seekClearances(work, work.seconds.check);
-    if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
-    if (!ok) return ok;
-  }
-  if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
-  if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
-  if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
-  if (ok && e.run.value)
-    work.keep(&CutEvaluation::simulated, wayRequest(work.design), {e.run.value, e.analysis.value});
-  if (ok && e.run.value)
-    work.keep(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value});
+  if (!lengthFails(e) && !clearanceMayHelp(e, blade)) return {};
+  Result<void> ok = seekLengths(work, seconds);
+  if (ok && clearanceMayHelp(e, blade)) ok = seekClearances(work, seconds);
+  if (ok && marginFails(e)) ok = seekMargins(work, seconds);
   return ok;
 }
 

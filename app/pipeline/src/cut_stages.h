@@ -77,6 +77,8 @@ Result<void> runMotion(const CutWork& work, double& seconds);
 Result<void> seeTheRun(const CutWork& work, double& seconds);
 /// How loosely the blade rests on that run.
 Result<void> seeBarriers(const CutWork& work, double& seconds);
+/// What is missing of all these.
+Result<void> seeRun(const CutWork& work, double& seconds);
 /// What a run cuts of the surface of a cut. `melted` gets the kerf at the speeds of the run, where it is told
 /// over speed; `cut` is that of `bw::compare`.
 Result<SimulatedSurface> cutBy(const Simulation& run, const CutEvaluation& e, const RunContext& context,
@@ -89,5 +91,7 @@ Result<void> seekLengths(const CutWork& work, double& seconds);
 Result<void> seekClearances(const CutWork& work, double& seconds);
 /// What the row gives for the margin of its blades.
 Result<void> seekMargins(const CutWork& work, double& seconds);
+/// Those of these that may help a row that fails, at its stations or in its run.
+Result<void> seekAdvice(const CutWork& work, double& seconds);
 
 }  // namespace bw::pipeline

@@ -296,11 +296,7 @@ Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunC
   std::vector<double> seconds(works.size(), 0);
   std::vector<Result<void>> done(works.size());
   Result<void> ok = parallelFor(context, int(works.size()), [&](int i) {
-    done[std::size_t(i)] = runMotion(works[std::size_t(i)], seconds[std::size_t(i)]);
-    if (done[std::size_t(i)])
-      done[std::size_t(i)] = seeTheRun(works[std::size_t(i)], seconds[std::size_t(i)]);
-    if (done[std::size_t(i)])
-      done[std::size_t(i)] = seeBarriers(works[std::size_t(i)], seconds[std::size_t(i)]);
+    done[std::size_t(i)] = seeRun(works[std::size_t(i)], seconds[std::size_t(i)]);
   });
   for (std::size_t i = 0; ok && i < works.size(); ++i) ok = inCut(e, works[i].cut, done[i]);
   e.seconds.check += std::ranges::max(seconds);
@@ -533,6 +529,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (purpose == Purpose::files) {
     if (ok = makeParts(e, previous, context); !ok) return stop(ok.error());
     if (ok = runAll(works, e, context); !ok) return stop(ok.error());
+    for (const CutWork& work : works)
+      if (ok = seekAdvice(work, e.seconds.check); !ok) return stop(inCut(e, work.cut, ok).error());
   }
   if (design.blade.autoLength) e.design.blade.length = e.cut().sweep.value->request.blade.length;
   if (!design.output.programs.empty()) judgeCell(e, previous);
@@ -562,6 +560,16 @@ Result<void> addParts(Evaluation& e, const RunContext& context) {
     if (wantsPart(block))
       if (Result<void> ok = makePart(e, block, nullptr, none, context); !ok) return ok;
   return {};
+}
+
+Result<void> addRuns(Evaluation& e, const RunContext& context) {
+  std::vector<CutWork> works;
+  for (BlockEvaluation& block : e.blocks)
+    for (CutEvaluation& stages : block.cuts)
+      if (stages.result())
+        works.push_back(
+            {e.design, cutOf(e.design, stages.id), stages, nullptr, e.seconds, context, Purpose::live});
+  return works.empty() ? Result<void>() : runAll(works, e, context);
 }
 
 bool addSecondThought(Evaluation& e, const RunContext& context) {

@@ -38,13 +38,14 @@ Told warnedOf(const Findings& findings) {
   return told;
 }
 
-/// What a design came to: a result of all its cuts that warns of nothing which was not warned of before.
+/// What a design came to: a result of all its cuts and of their runs that warns of nothing which was not
+/// warned of before.
 std::optional<Evaluation> asGood(const Design& design, const Evaluation& e, const RunContext& context) {
   RunContext quiet;
   quiet.stop = context.stop;
   quiet.threads = context.threads;
   Outcome outcome = evaluate(design, &e, quiet);
-  if (outcome.error || !outcome.evaluation.complete()) return {};
+  if (outcome.error || !outcome.evaluation.complete() || !addRuns(outcome.evaluation, quiet)) return {};
   const Told before = warnedOf(e.findings());
   for (const auto& [kind, severity] : warnedOf(outcome.evaluation.findings()))
     if (!before.contains({kind, severity}) && !before.contains({kind, Severity::error})) return {};

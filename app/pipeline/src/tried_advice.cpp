@@ -4,6 +4,7 @@
 #include "tried_advice.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,19 @@ bool fails(const Finding& finding) {
     default:
       return finding.severity == Severity::error;
   }
+}
+
+/// True if what was tried leaves uncut, or too far from the target, what the cut in use does not: where both
+/// do, no blade decides it.
+bool leavesMore(const CutEvaluation& tried, const CutEvaluation& inUse) {
+  const Findings now = tried.findings(), before = inUse.findings();
+  return std::ranges::any_of(std::array{FindingKind::coverage, FindingKind::deviation},
+                             [&](FindingKind kind) {
+                               const auto told = [kind](const Finding& finding) {
+                                 return finding.kind() == kind && finding.severity != Severity::info;
+                               };
+                               return std::ranges::any_of(now, told) && std::ranges::none_of(before, told);
+                             });
 }
 
 /// True for a trial of what the design has already.
@@ -75,7 +89,8 @@ bool servesAsDesigned(const CutWork& work, const RowTrial& trial, CutEvaluation*
   tried.stations = work.stations;
   if (cut.sections.byTolerance() && work.e.sections.value)
     tried.stations = work.e.sections.request.sections.stations;
-  return fit(tried) && check(tried) && !hasFailed(anew);
+  return fit(tried) && check(tried) && !hasFailed(anew) && !leavesMore(anew, work.e) &&
+         seeRun(tried, seconds.check) && !hasFailed(anew);
 }
 
 }  // namespace bw::pipeline

@@ -4,12 +4,14 @@
 #include "bw/core/simulation/barriers.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
 
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/row_certainty.h"
 
 namespace bw {
 
@@ -18,6 +20,7 @@ namespace {
 constexpr std::size_t kSpread = 9;     // looks over the whole run
 constexpr std::size_t kStride = 2;     // moments to the next at which passes are followed
 constexpr std::size_t kOfStretch = 3;  // looks at moments in a row at which another shape lies across
+constexpr std::size_t kAtOnce = 128;   // of these
 constexpr double kSameShape = 0.5;     // mm
 constexpr int kPlaces = 41;            // of a blade, at which it is held against another
 
@@ -153,7 +156,37 @@ class Looker {
   double stiffness_;
 };
 
-/// What begins and ends between looks that found nothing: shapes that lie across at the moments there.
+auto leastOf(Looks& looks) {
+  auto least = looks.end();
+  for (auto at = looks.begin(); at != looks.end(); ++at)
+    if (at->second.told.barrier &&
+        (least == looks.end() || *at->second.told.barrier < *least->second.told.barrier))
+      least = at;
+  return least;
+}
+
+bool isLow(Looks& looks) {
+  const auto least = leastOf(looks);
+  return least != looks.end() && *least->second.told.barrier < kLeastBarrier;
+}
+
+/// Places in an order in which the first of them, however many, lie spread over all: by their numbers read
+/// backwards.
+std::vector<std::size_t> spreadOut(std::vector<std::size_t> places) {
+  const int digits = std::bit_width(places.size());
+  std::vector<std::pair<std::size_t, std::size_t>> keyed;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    std::size_t key = 0;
+    for (int digit = 0; digit < digits; ++digit) key = 2 * key + ((k >> digit) & 1);
+    keyed.emplace_back(key, places[k]);
+  }
+  std::ranges::sort(keyed);
+  std::ranges::transform(keyed, places.begin(), [](const auto& one) { return one.second; });
+  return places;
+}
+
+/// What begins and ends between looks that found nothing: shapes that lie across at the moments there. Where
+/// they come and go at many moments, until one look tells of a low barrier.
 Result<void> lookAcross(const Looker& looker, const RunContext& context, Looks& looks) {
   std::vector<std::size_t> asked;
   for (auto at = looks.begin(); std::next(at) != looks.end(); ++at) {
@@ -174,10 +207,13 @@ Result<void> lookAcross(const Looker& looker, const RunContext& context, Looks& 
       next.push_back(asked[k + (looked > 1 ? (count - 1) * j / (looked - 1) : count / 2)]);
     k = std::max(end, k + 1);
   }
-  std::vector<Look> found(next.size());
-  ok = parallelFor(context, int(next.size()),
-                   [&](int k) { found[std::size_t(k)] = looker.unsureAt(next[std::size_t(k)]); });
-  for (std::size_t k = 0; ok && k < next.size(); ++k) looks.emplace(next[k], std::move(found[k]));
+  next = spreadOut(std::move(next));
+  for (std::size_t first = 0; ok && first < next.size() && !isLow(looks); first += kAtOnce) {
+    std::vector<Look> found(std::min(kAtOnce, next.size() - first));
+    ok = parallelFor(context, int(found.size()),
+                     [&](int k) { found[std::size_t(k)] = looker.unsureAt(next[first + std::size_t(k)]); });
+    for (std::size_t k = 0; ok && k < found.size(); ++k) looks.emplace(next[first + k], std::move(found[k]));
+  }
   return ok;
 }
 
@@ -192,15 +228,6 @@ Result<void> followBetween(const Looker& looker, const RunContext& context, Look
   });
   for (Looks& some : between) looks.merge(some);
   return ok;
-}
-
-auto leastOf(Looks& looks) {
-  auto least = looks.end();
-  for (auto at = looks.begin(); at != looks.end(); ++at)
-    if (at->second.told.barrier &&
-        (least == looks.end() || *at->second.told.barrier < *least->second.told.barrier))
-      least = at;
-  return least;
 }
 
 /// Looks at the least one as at the others, and beside it, until that is the least.

@@ -262,6 +262,10 @@ Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, doubl
 /// nothing is left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
+/// Adds the motion runs of all cuts that came to a result, what they cut and the barriers along them, where
+/// these are not there yet. Errors: those of `simulate`; `cancelled`.
+Result<void> addRuns(Evaluation& evaluation, const RunContext& context);
+
 /// Adds what is left of blocks with several cuts, where it is not there yet. Error: `cancelled`.
 Result<void> addParts(Evaluation& evaluation, const RunContext& context);
 
