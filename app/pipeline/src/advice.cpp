@@ -89,12 +89,22 @@ std::optional<double> otherMargin(const CutEvaluation& cut) {
 
 }  // namespace
 
+bool fallsLittleShort(const Finding& finding) {
+  constexpr double kLittle = 0.9;  // of what is asked for
+  const LowMargin* low = std::get_if<LowMargin>(&finding.cause);
+  const std::optional<StationRange>& at = finding.where.stations;
+  return low && at && at->count == 0 && low->margin > kLittle * low->asked;
+}
+
 bool lengthFails(const CutEvaluation& cut) {
   if (!cut.rest.value || !cut.sweep.value) return false;
   if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
   if (anyOf(cut, &staysTooNear) || anyOf(cut, &leavesOnTheWay) || hasErrors(cut.ends.findings)) return true;
   // Between the stations its run tells.
-  if (std::ranges::any_of(cut.barriers.findings, &restFails)) return true;
+  if (std::ranges::any_of(cut.barriers.findings, [](const Finding& finding) {
+        return restFails(finding) && !fallsLittleShort(finding);
+      }))
+    return true;
   constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
   const Sweep& sweep = *cut.sweep.value;
   const double sharpest = kBent * sweep.request.blade.maxCurvature();

@@ -10,6 +10,10 @@ namespace bw::pipeline {
 
 // What is advised where a blade does not do what is asked for: of what was tried alone.
 
+/// True for a margin that a run misses by less than a tenth between stations that keep it: that is told, but
+/// no length is given up for it.
+bool fallsLittleShort(const Finding& finding);
+
 /// True if a blade of another length may do what this one does not: where a station is lost, or farther from
 /// its section than the tolerance although it could bend more, for the sake of its margin; where no way leads
 /// into the row or out of it; where its run shows that it rests too loosely between the stations; and where

@@ -21,7 +21,7 @@ bool fails(const Finding& finding) {
     case FindingKind::floor:
       return true;
     case FindingKind::stability:
-      return finding.severity != Severity::info;
+      return finding.severity != Severity::info && !fallsLittleShort(finding);
     case FindingKind::motion:
       return std::holds_alternative<LostOnTheWay>(finding.cause);
     case FindingKind::coverage:
