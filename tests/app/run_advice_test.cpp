@@ -84,6 +84,19 @@ TEST(RunAdvice, AnOpenLengthIsNotToldToServeWhereTheBladeIsLostBetweenTheStation
   EXPECT_LT(other->barrier.value(), kLeastBarrier);
 }
 
+TEST(RunAdvice, AnOpenLengthServesWhoseRunMissesItsMarginByLittle) {
+  const Evaluation e =
+      evaluated(designOf({"250+9.8*((y-544)/sqrt((y-544)^2+10^2))*((x-300)/300)^3+0.7*(1-((x-300)/300)^2)",
+                          41, R"({"preset": "nicr-flat-5x1", "length": "auto"})", 600, 800, 500,
+                          R"("clearance": 15, "margin": 0.3, "motion_tolerance": 2, "floor": 0)"}),
+                Purpose::live);
+  const LowMargin* low = test::causeOf<LowMargin>(e.cut().barriers.findings);
+  ASSERT_TRUE(low);
+  EXPECT_GT(low->margin, 0.29);
+  EXPECT_TRUE(e.cut().lengths.value->designed) << toldOf(e);
+  EXPECT_FALSE(hasErrors(e.findings())) << toldOf(e);
+}
+
 TEST(RunAdvice, WhatIsLostBetweenTheStationsIsAdvised) {
   // The same for a length that is asked for: other lengths, clearances and margins were tried.
   const Evaluation e = evaluated(designOf(turningOver("635")));
