@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "model_impl.h"
@@ -32,7 +33,9 @@ class FaceSampler final : public SurfaceSampler {
     return guarded(ErrorCode::internal, "the closest point cannot be found", [&]() -> Result<Foot> {
       FaceFoot best;
       int bestFace = -1;
+      tried_.clear();
       const auto attempt = [&](int face, const Eigen::Vector2d& uv) {
+        tried_.push_back(face);
         const FaceFoot foot = footOnFace(*target_->faces[face], target_->model->edges, p, uv);
         if (foot.distance < best.distance) {
           best = foot;
@@ -51,7 +54,8 @@ class FaceSampler final : public SurfaceSampler {
           bestFace >= 0 && !crosses &&
           (sample < 0 || (nearest >= best.distance && (point(sample) - best.point).norm() <=
                                                           2 * table_.samples[std::size_t(sample)].radius));
-      if (!stands && sample >= 0) search(p, nearest, table_.samples[std::size_t(sample)].radius, attempt);
+      if (!stands && sample >= 0) search(p, nearest, sample, attempt);
+      tryOthers(p, best.distance, attempt);
       if (bestFace < 0)
         return fail(ErrorCode::internal, "the target has no point that could be the closest one");
       return finish(p, best, bestFace);
@@ -134,11 +138,12 @@ class FaceSampler final : public SurfaceSampler {
     return place;
   }
 
-  /// Newton starts at the samples from which no neighbour is nearer to `p`, the nearest of them first.
+  /// Newton starts at the samples from which no neighbour is nearer to `p`, the nearest of them first; at
+  /// the `sample` nearest to it where there is none, as where a node of the grid beside a face is nearer.
   template <class Attempt>
-  void search(const Eigen::Vector3d& p, double nearest, double radius, const Attempt& attempt) {
+  void search(const Eigen::Vector3d& p, double nearest, int sample, const Attempt& attempt) {
     found_.clear();
-    table_.tree.within(p, nearest + 2 * radius, found_);
+    table_.tree.within(p, nearest + 2 * table_.samples[std::size_t(sample)].radius, found_);
     order_.clear();
     for (const int i : found_) {
       const double d2 = (point(i) - p).squaredNorm();
@@ -151,7 +156,43 @@ class FaceSampler final : public SurfaceSampler {
       attempt(s.face, Eigen::Vector2d(s.u, s.v));
       if (++starts == kStarts) break;
     }
+    if (starts > 0) return;
+    const SearchTable::Sample& s = table_.samples[std::size_t(sample)];
+    attempt(s.face, Eigen::Vector2d(s.u, s.v));
   }
+
+  /// Starts on the faces that were not tried and may come nearer to `p` than `distance`, which `attempt`
+  /// lowers: the samples of a large face are far from one another, those of a small one beside it are not.
+  template <class Attempt>
+  void tryOthers(const Eigen::Vector3d& p, const double& distance, const Attempt& attempt) {
+    if (target_->faces.size() < 2) return;
+    struct Others {
+      const FaceSampler& sampler;
+      const Eigen::Vector3d& p;
+      const double& distance;
+      const Attempt& attempt;
+
+      bool intersectVolume(const Eigen::AlignedBox3d& box) const {
+        return box.exteriorDistance(p) < distance - kSlack;
+      }
+      bool intersectObject(int index) const {
+        const SearchTable::Face& face = sampler.table_.faces[std::size_t(index)];
+        if (face.count == 0 || !intersectVolume(face.box) || sampler.tried(index)) return false;
+        const auto first = sampler.table_.points.begin() + face.first;
+        const auto from = [&](const Eigen::Vector3d& q) { return (q - p).squaredNorm(); };
+        const auto nearest = std::ranges::min_element(first, first + face.count, {}, from);
+        if ((*nearest - p).norm() - 2 * face.spacing >= distance) return false;
+        const SearchTable::Sample& s =
+            sampler.table_.samples[std::size_t(nearest - sampler.table_.points.begin())];
+        attempt(index, Eigen::Vector2d(s.u, s.v));
+        return false;  // go on
+      }
+    };
+    Others others{*this, p, distance, attempt};
+    Eigen::BVIntersect(table_.tower, others);
+  }
+
+  bool tried(int face) const { return std::ranges::find(tried_, face) != tried_.end(); }
 
   bool lowest(int index, const Eigen::Vector3d& p, double d2) const {
     const SearchTable::Sample& s = table_.samples[std::size_t(index)];
@@ -211,7 +252,7 @@ class FaceSampler final : public SurfaceSampler {
 
   std::shared_ptr<const Target::Impl> target_;
   const SearchTable& table_;
-  std::vector<int> found_;
+  std::vector<int> found_, tried_;
   std::vector<std::pair<double, int>> order_;
 };
 
@@ -225,9 +266,12 @@ const SearchTable& Target::Impl::searchTable() const {
                          double radius) {
       made->samples.push_back({face, i, j, u, v, radius});
       made->spacing = std::max(made->spacing, radius);
+      made->faces.back().spacing = std::max(made->faces.back().spacing, radius);
       points.push_back(p);
     };
     for (int f = 0; f < int(faces.size()); ++f) {
+      const Bounds& range = model->info.faceList[std::size_t(indices[std::size_t(f)])].bounds;
+      made->faces.push_back({int(points.size()), 0, 0, {range.min, range.max}});
       const FaceGeometry& face = *faces[f];
       const int nu = int(face.gridU().size()), nv = int(face.gridV().size());
       for (int i = 0; i < nu; ++i) {
@@ -257,6 +301,14 @@ const SearchTable& Target::Impl::searchTable() const {
         }
       }
     }
+    for (std::size_t f = 0; f < made->faces.size(); ++f)
+      made->faces[f].count =
+          (f + 1 < faces.size() ? made->faces[f + 1].first : int(points.size())) - made->faces[f].first;
+    std::vector<int> all(faces.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const SearchTable::Face& face : made->faces) boxes.push_back(face.box);
+    made->tower.init(all.begin(), all.end(), boxes.begin(), boxes.end());
     made->points = points;
     made->tree = PointTree(std::move(points));
     table = std::move(made);

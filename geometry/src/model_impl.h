@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <unsupported/Eigen/BVH>
 
 #include <memory>
 #include <mutex>
@@ -39,6 +40,14 @@ struct SearchTable {
   std::vector<Sample> samples;
   std::vector<Eigen::Vector3d> points;  ///< of the samples
   double spacing = 0;                   ///< the largest of the radii
+  /// Of a face of the target: its samples lie together.
+  struct Face {
+    int first = 0, count = 0;
+    double spacing = 0;  ///< mm, the largest of its radii
+    Eigen::AlignedBox3d box;
+  };
+  std::vector<Face> faces;
+  Eigen::KdBVH<double, 3, int> tower;  ///< of their boxes, by index in the target; empty for one face
 };
 
 /// A face beside another one, and the largest tolerance of the edges that both share, mm.
