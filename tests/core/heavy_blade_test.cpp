@@ -245,6 +245,43 @@ TEST(HeavyBlade, SnapsWhereItsWeightPushesItThrough) {
   EXPECT_LT(after->solutions[0].energy, before->solutions[0].energy);
 }
 
+TEST(HeavyBlade, WithNextToNoSlackHangsAsABeamInTension) {
+  // Flat arches, as of nearly flat panels, that hang through under pulls of up to 30 kN.
+  for (const double length : {800.0, 2000.0, 3000.0})
+    for (const double angle : {2e-5, 1e-4, 4e-4, 2e-3}) {
+      ClampedProblem grips;
+      grips.length = length;
+      grips.end = {length * (1 - angle * angle / 6), 0};  // an arc
+      grips.startAngle = angle;
+      grips.endAngle = -angle;
+      const Result<HeavyAnswer> answer = solveHeavy(heavyOf(grips));
+      ASSERT_TRUE(answer) << length << " mm, " << angle << ": " << answer.error().message;
+      const HeavySolution& hangs = answer->solutions[0];
+      EXPECT_TRUE(hangs.stable);
+      ASSERT_TRUE(hangs.snapsAt);
+      EXPECT_LT(*hangs.snapsAt, 1);
+      // EI v'''' − T v'' = −w with v = 0 and v' = ±angle at the ends.
+      const double pull = hangs.blade.numbers().endForce.x(), load = kFlatWeight / kFlatStiffness;
+      const double k = std::sqrt(pull), half = 0.5 * length;
+      EXPECT_GT(k * length, 20) << "taut";
+      // cosh k(x − half) / sinh k half, without its large numbers.
+      const auto fades = [&](double x) {
+        const double off = std::abs(x - half);
+        return std::exp(k * (off - half)) * (1 + std::exp(-2 * k * off)) / (1 - std::exp(-2 * k * half));
+      };
+      const auto beam = [&](double x) {
+        return -load / (2 * pull) * x * (length - x) -
+               (angle + load * half / pull) / k * (fades(x) - fades(0));
+      };
+      const double sag = -beam(half);
+      EXPECT_GT(sag, 0.5 * largestSag(length, grips.end.x()));
+      for (int i = 0; i <= 20; ++i) {
+        const Vector2d place = hangs.blade.at(length * i / 20).point;
+        EXPECT_NEAR(place.y(), beam(place.x()), 1e-4 * sag) << length << " mm, " << angle << " at " << i;
+      }
+    }
+}
+
 TEST(HeavyBlade, BucklesToTheSideWhereItsWeightPulls) {
   for (const double tilt : {0.0, 0.8, -2.5})
     for (const double side : {1.0, -1.0}) {

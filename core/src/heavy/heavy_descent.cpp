@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int kMostFalls = 100;
+constexpr int kHalvings = 12;
 constexpr double kLongestFall = 0.7;   // rad: a step that does not leave the valley
 constexpr double kNearRest = 1e-5;     // of the gradient: Newton's method does the rest
 constexpr double kStiffEnough = 1e-3;  // smaller eigenvalues count as this
@@ -67,11 +68,22 @@ std::vector<VectorXd> givingWay(const Equations& equations) {
 
 namespace {
 
+/// A shape pushed off where it is, by a part of the push where its ends do not allow for more of it: a blade
+/// that is held nearly taut.
+std::optional<Shape> pushed(const Modes& modes, const Hold& hold, const Shape& start, VectorXd push) {
+  for (int halving = 0; halving < kHalvings; ++halving, push *= 0.5) {
+    Shape shape{(start.coefficients + push).head(modes.count()), start.force};
+    if (close(modes, hold, shape)) return shape;
+  }
+  return {};
+}
+
 std::optional<Shape> fallFrom(const Hold& hold, const Shape& start, const VectorXd& push, bool beside) {
   // The way down needs no fine modes, only its end.
   const Modes& modes = modesOf(1);
-  Shape shape{(start.coefficients + push).head(modes.count()), start.force};
-  if (!close(modes, hold, shape)) return {};
+  std::optional<Shape> begin = pushed(modes, hold, start, push);
+  if (!begin) return {};
+  Shape shape = std::move(*begin);
   balance(modes, hold, shape);
   const VectorXd from = shape.coefficients;
   double energy = Equations(modes, hold, shape).energy();
@@ -101,7 +113,7 @@ std::optional<Shape> fallFrom(const Hold& hold, const Shape& start, const Vector
                : kLongestFall;
     step *= std::min(1.0, longest / step.norm());
     bool lower = false;
-    for (int halving = 0; halving < 12 && !lower; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < kHalvings && !lower; ++halving, step *= 0.5) {
       Shape next = shape;
       next.coefficients += step;
       if (!close(modes, hold, next)) continue;

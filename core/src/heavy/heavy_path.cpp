@@ -128,7 +128,14 @@ namespace {
 
 constexpr int kMostSteps = 400;
 constexpr double kLongestStep = 0.6;   // rad: of a blade that is followed for its stability
+constexpr double kLongerPull = 0.2;    // of the pull in a blade that hangs taut, where that is more
 constexpr double kSnapsWithin = 1e-9;  // of the way: how exactly the end of a branch is told
+
+/// As far as a step may lead from a shape: the pull in a blade with next to no slack grows a thousandfold.
+double longestFrom(const Way& way, const WayPoint& point) {
+  const double pull = point.shape.force.dot(way.at(point.part).chord.stableNormalized());
+  return std::max(kLongestStep, kLongerPull * pull / kForceScale);
+}
 
 bool isStable(const Way& way, const WayPoint& point) {
   return heavy::isStable(Equations(modesOf(point.shape.count()), way.at(point.part), point.shape));
@@ -145,7 +152,7 @@ std::optional<Followed> follow(const Way& way, const Shape& start) {
   Path path(way, last, 1);
   for (int i = 0; i < kMostSteps && last.part < 1 && !detail::workExhausted(); ++i) {
     Path before = path;
-    const std::optional<WayPoint> point = path.next(kLongestStep);
+    const std::optional<WayPoint> point = path.next(longestFrom(way, last));
     if (!point) return {};
     if (point->part > last.part && isStable(way, *point)) {
       last = *point;
@@ -179,7 +186,7 @@ void allAlong(const Way& way, const Shape& start, const std::function<void(const
   Path path(way, {0, start}, kBeyond);
   WayPoint last{0, start};
   for (int i = 0; i < kMostSteps && !detail::workExhausted(); ++i) {
-    const std::optional<WayPoint> point = path.next(2 * kLongestStep);
+    const std::optional<WayPoint> point = path.next(2 * longestFrom(way, last));
     if (!point) return;
     if ((point->part - 1) * (last.part - 1) <= 0 && point->part != last.part) {
       const double share = (1 - last.part) / (point->part - last.part);
@@ -193,9 +200,10 @@ void allAlong(const Way& way, const Shape& start, const std::function<void(const
 }
 
 std::optional<Shape> overFold(const Way& way, const Shape& start) {
-  Path path(way, {0, start}, 1);
+  std::optional<WayPoint> point = WayPoint{0, start};
+  Path path(way, *point, 1);
   for (int i = 0; i < kMostSteps && !detail::workExhausted(); ++i) {
-    const std::optional<WayPoint> point = path.next(2 * kLongestStep);
+    point = path.next(2 * longestFrom(way, *point));
     if (!point || point->part == 1) return {};
     if (point->part == 0) return point->shape;
   }
