@@ -19,6 +19,7 @@ constexpr double kSideRatio =
     1e-3;  // of the distance: a foot leaning more than this over the border has no side
 constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
 constexpr double kBeside = 0.1;     // of a carrier's size: so far its grid may leave it
+constexpr double kSewnGap = 0.1;    // mm: tolerances of edges up to this are no gap
 constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
@@ -232,12 +233,18 @@ class FaceSampler final : public SurfaceSampler {
       if (foot.normal.squaredNorm() < 0.5) foot.normal = Eigen::Vector3d::UnitZ();
     }
     if (target_->flipped) foot.normal = -foot.normal;
-    if (best.onBorder && (best.edge < 0 || target_->freeEdge(best.edge) || atFreeEdge(face, best.point))) {
-      const Eigen::Vector3d r = p - best.point;
-      const double lean = (r - r.dot(foot.normal) * foot.normal).norm();
-      foot.onBoundary = lean > kSideRatio * best.distance + kSlack;
-    }
+    if (!best.onBorder) return foot;
+    const Eigen::Vector3d r = p - best.point;
+    const double lean = (r - r.dot(foot.normal) * foot.normal).norm();
+    const bool free = best.edge < 0 || target_->freeEdge(best.edge) || atFreeEdge(face, best.point);
+    if (free || lean <= sewnGap(best.edge)) foot.onBoundary = lean > kSideRatio * best.distance + kSlack;
     return foot;
+  }
+
+  /// mm between two faces that were sewn together along an edge although a gap is between them; less is none.
+  double sewnGap(int edge) const {
+    const double tolerance = target_->model->edges[std::size_t(edge)].tolerance;
+    return tolerance > kSewnGap ? tolerance : 0;
   }
 
   /// Whether an edge of this face alone begins or ends at a point of its border.

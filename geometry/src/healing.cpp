@@ -40,6 +40,7 @@ constexpr int kLeastSamples = 8;  // of an edge
 constexpr int kMostSamples = 200;
 constexpr double kLookAround = 10;  // times the limit: gaps up to this are told,
 constexpr double kFarthest = 10;    // but none wider than this, mm, unless the limit is
+constexpr double kAcross = 0.4;     // of an edge's length: what is wider is no gap along it
 constexpr int kSteps = 12;          // of Newton's method, which is quick where the gap is small
 constexpr double kAtRest = 1e-10;   // of the interval: a shorter step changes nothing
 constexpr double kBow = 0.1;        // of a piece between samples: how far it may leave its chord
@@ -132,9 +133,24 @@ Gaps measureGaps(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& fac
   const PointTree tree(points);
   std::vector<int> found;
   std::vector<double> chords;
+  const auto chordsAt = [&](const Eigen::Vector3d& p, int sample) {
+    const auto [e, i] = owner[sample];
+    double d = 1e300;
+    if (i > 0) d = distanceToSegment(p, points[sample - 1], points[sample]);
+    if (i + 1 < edges[e].samples) d = std::min(d, distanceToSegment(p, points[sample], points[sample + 1]));
+    return d;
+  };
+  // Whether an edge of this face lies at a sample of another one.
+  const auto reaches = [&](int face, int sample) {
+    std::vector<int> near;
+    tree.within(points[sample], reach + limit, near);
+    return std::ranges::any_of(near, [&](int own) {
+      return edges[owner[own].first].face == face && chordsAt(points[sample], own) <= limit;
+    });
+  };
   for (const OpenEdge& edge : edges) {
     double widest = 0;
-    int other = -1;
+    int other = -1, across = -1;
     for (int k = 0; k < kProbes && widest <= around; ++k) {
       const Eigen::Vector3d p = edge.at(edge.first + edge.step * (edge.samples - 1) * k / (kProbes - 1));
       found.clear();
@@ -143,30 +159,27 @@ Gaps measureGaps(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& fac
       chords.clear();
       double least = 1e300;
       for (const int sample : found) {
-        const auto [e, i] = owner[sample];
-        double d = 1e300;
-        if (edges[e].face != edge.face) {
-          if (i > 0) d = distanceToSegment(p, points[sample - 1], points[sample]);
-          if (i + 1 < edges[e].samples)
-            d = std::min(d, distanceToSegment(p, points[sample], points[sample + 1]));
-        }
+        const double d = edges[owner[sample].first].face != edge.face ? chordsAt(p, sample) : 1e300;
         chords.push_back(d);
         least = std::min(least, d);
       }
       double nearest = 1e300;
-      int nearestFace = -1;
+      int nearestFace = -1, nearestSample = -1;
       for (std::size_t c = 0; c < found.size(); ++c) {
         if (chords[c] > least + kBow * reach || chords[c] == 1e300) continue;
         const auto [e, i] = owner[found[c]];
         const double d = distanceNear(edges[e], i, p);
-        if (d < nearest) nearest = d, nearestFace = edges[e].face;
+        if (d < nearest) nearest = d, nearestFace = edges[e].face, nearestSample = found[c];
       }
-      if (nearest > widest || k == 0) widest = nearest, other = nearestFace;
+      if (nearest > widest || k == 0) widest = nearest, other = nearestFace, across = nearestSample;
     }
+    // The end of a narrow face, which others meet at both of its corners, is no gap.
+    if (widest > kAcross * edge.length) continue;
     if (widest <= limit) {
       ++gaps.within;
       gaps.widestWithin = std::max(gaps.widestWithin, widest);
-    } else if (widest <= around && (gaps.narrowestOpen == 0 || widest < gaps.narrowestOpen)) {
+    } else if (widest <= around && (gaps.narrowestOpen == 0 || widest < gaps.narrowestOpen) &&
+               !reaches(edge.face, across)) {  // else it is a narrow face itself that lies between
       gaps.narrowestOpen = widest;
       gaps.faces[0] = std::min(edge.face, other);
       gaps.faces[1] = std::max(edge.face, other);

@@ -147,15 +147,19 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
     }
   }
 
+  // Between its stops a part lies within the borders or outside of them, but may touch them in a place: of
+  // two that differ a third one decides.
+  const auto insideAt = [&](const LevelPiece& part, double share) {
+    const double place = share * double(part.nodes.size() - 1);
+    const std::size_t k = std::min(std::size_t(place), part.nodes.size() - 2);
+    LevelNode node;
+    if (!between(face, part.nodes[k], part.nodes[k + 1], place - double(k), level, node))
+      node.uv = part.nodes[k].uv + (place - double(k)) * (part.nodes[k + 1].uv - part.nodes[k].uv);
+    return geometry.contains(node.uv);
+  };
   const auto inside = [&](const LevelPiece& part) {
-    LevelNode middle;
-    const std::size_t k = (part.nodes.size() - 1) / 2;
-    if (part.nodes.size() % 2 == 1 && part.nodes.size() > 2) {
-      middle = part.nodes[part.nodes.size() / 2];
-    } else if (!between(face, part.nodes[k], part.nodes[k + 1], 0.5, level, middle)) {
-      middle.uv = 0.5 * (part.nodes[k].uv + part.nodes[k + 1].uv);
-    }
-    return geometry.contains(middle.uv);
+    const bool one = insideAt(part, 0.5), other = insideAt(part, 0.271);
+    return one == other ? one : insideAt(part, 0.683);
   };
   for (std::size_t c = 0; c < chains.size(); ++c) {
     LevelPiece& chain = chains[c];

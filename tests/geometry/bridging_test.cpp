@@ -135,6 +135,48 @@ TEST(Bridging, DistancesAreFromTheSurfaceContinued) {
   }
 }
 
+TEST(Bridging, DistancesAcrossAGapThatSewingClosedAreFromTheSurfaceContinued) {
+  const auto face = [](double x0, double x1) {
+    BRepBuilderAPI_MakePolygon wire(gp_Pnt(x0, 0, 0.01 * x0), gp_Pnt(x1, 0, 0.01 * x1),
+                                    gp_Pnt(x1, 500, 0.01 * x1), gp_Pnt(x0, 500, 0.01 * x0), true);
+    return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
+  };
+  std::ostringstream text;
+  BRepTools::Write(together({face(0, 300), face(310, 600)}), text);
+  ReadOptions options;
+  options.sewing = 20;
+  const auto model = CadModel::readBytes(text.str(), "halves.brep", {}, options);
+  ASSERT_TRUE(model);
+  const Target target = Target::make(*model, allFaces()).value();
+  const auto sampler = target.sampler();
+  const Eigen::Vector3d up = Eigen::Vector3d(-0.01, 0, 1).normalized();
+  for (const double x : {250.0, 301.0, 305.0, 309.5, 400.0})
+    for (const double off : {0.0, 0.4, -3.0}) {
+      const Eigen::Vector3d p = Eigen::Vector3d(x, 250, 0.01 * x) + off * up;
+      const auto foot = sampler->closest(p, nullptr);
+      ASSERT_TRUE(foot);
+      EXPECT_NEAR(sampler->offset(p, *foot), off, 1e-6) << x;
+    }
+}
+
+TEST(Sections, OfFacesThatMeetInAVertexOfThePlaneAreWhole) {
+  // The plane of the middle station touches two of the four parts in the vertex alone.
+  expectWhole(sheetInParts({{0, 40.6}, {0, -40.6}}), 4, "diagonals ");
+  const gp_Pnt middle(0, 0, 0);
+  const gp_Pnt corners[] = {{-300, -350, 0}, {300, -350, 0}, {300, 350, 0}, {-300, 350, 0}};
+  std::vector<TopoDS_Shape> triangles;
+  for (int k = 0; k < 4; ++k) {
+    BRepBuilderAPI_MakePolygon wire(middle, corners[k], corners[(k + 1) % 4], true);
+    triangles.push_back(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face());
+  }
+  const Target flat = targetOf(together(triangles), allFaces());
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    const Cut cut = along(flat, route);
+    ASSERT_EQ(cut.sections.size(), 15u);
+    for (const Section& section : cut.sections) EXPECT_NEAR(section.curve().length(), 600, 1e-6);
+  }
+}
+
 TEST(Bridging, AcrossAWindowOverTheEdgeOfTwoFaces) {
   const auto windowIn = [](const TopoDS_Shape& shape) {
     return BRepAlgoAPI_Cut(shape, boxAt(-80, 80, -80, 80)).Shape();

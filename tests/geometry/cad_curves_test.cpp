@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -36,24 +37,18 @@
 #include "bw/geometry/cad_curves.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/export.h"
+#include "sheets.h"
 
 namespace bw::geometry::test {
 namespace {
-
-TopoDS_Compound together(const std::vector<TopoDS_Shape>& shapes) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
-  return all;
-}
 
 std::string step(const TopoDS_Shape& shape, const char* unit = "MM") {
   STEPControl_Controller::Init();
   Interface_Static::SetCVal("write.step.unit", unit);
   STEPControl_Writer writer;
   EXPECT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
-  const std::string file = testing::TempDir() + "cad_curves_test.step";
+  // Tests run side by side.
+  const std::string file = testing::TempDir() + "cad_curves_test_" + std::to_string(::getpid()) + ".step";
   EXPECT_EQ(writer.Write(file.c_str()), IFSelect_RetDone);
   Interface_Static::SetCVal("write.step.unit", "MM");
   const std::string text = readFile(file).value();

@@ -95,6 +95,19 @@ TEST(Sewing, LeavesWiderGapsOpenAndNamesThem) {
   EXPECT_EQ(read(twoSheets(0.06), {{}, 0}).info().edges, 8);
 }
 
+TEST(Sewing, TakesNoNarrowFaceForAGap) {
+  const auto strip = [](double from, double to) {
+    return patch("", [=](double u, double v) { return Eigen::Vector3d(from + (to - from) * u, 400 * v, 0); });
+  };
+  // Each a face beside the next one, without a gap; the narrow ones end in edges of half a mm and less.
+  const CadModel model = read(mergedStep({strip(0, 300), strip(300, 300.5), strip(300.5, 600)}), {{}, 0.1});
+  for (const std::string& line : model.info().healing)
+    EXPECT_EQ(line.find("stays open"), std::string::npos) << line;
+  const CadModel outer = read(mergedStep({strip(0, 300), strip(300, 300.4)}), {{}, 0.1});
+  for (const std::string& line : outer.info().healing)
+    EXPECT_EQ(line.find("stays open"), std::string::npos) << line;
+}
+
 TEST(Sewing, NamesNoGapWiderThanTenMillimetres) {
   const CadModel near = read(twoSheets(9), {{}, 2});
   ASSERT_FALSE(near.info().healing.empty());

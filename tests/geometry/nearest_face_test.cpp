@@ -3,8 +3,6 @@
 
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRep_Builder.hxx>
-#include <TopoDS_Compound.hxx>
 
 #include <random>
 
@@ -27,14 +25,6 @@ TopoDS_Face tilted(const std::vector<Eigen::Vector2d>& corners, double sx, doubl
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector2d& p : corners) points.emplace_back(p.x(), p.y(), z0 + sx * p.x() + sy * p.y());
   return polygon(points);
-}
-
-TopoDS_Shape together(const std::vector<TopoDS_Shape>& parts) {
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& part : parts) builder.Add(compound, part);
-  return compound;
 }
 
 /// Distances of random places about a shape, from nothing and from the foot of the place before, are those

@@ -9,8 +9,10 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
 
@@ -88,6 +90,14 @@ inline TopoDS_Shape sheetInParts(const std::vector<std::pair<double, double>>& s
   splitter.SetTools(tools);
   splitter.Build();
   return splitter.Shape();
+}
+
+inline TopoDS_Compound together(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
+  return all;
 }
 
 inline FaceChoice allFaces() {
