@@ -147,6 +147,30 @@ TEST(HeavySearch, FindsWhatTheWeightMakesOfAFork) {
   }
 }
 
+TEST(HeavySearch, WhatTurnsByFarMoreIsLeftOutWhereItMayBe) {
+  std::mt19937 random(7);
+  const auto within = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  int fewer = 0;
+  for (int i = 0; i < 30; ++i) {
+    HeavyProblem problem = slackBlade(random, 1.2);
+    problem.grips.end *= within(0.6, 1);
+    const Result<HeavyAnswer> answer = solveHeavy(problem);
+    if (!answer) continue;
+    const HeavyBlade& own = answer->solutions[0].blade;
+    const Result<HeavyRests> some = restsOf(problem, &own), all = restsOf(problem, nullptr);
+    ASSERT_TRUE(some && all);
+    fewer += some->stable.size() < all->stable.size();
+    for (const HeavyBlade& blade : all->stable) {
+      if (blade.energy() > own.energy() + own.clearGap()) continue;
+      const auto same = [&](const HeavyBlade& other) {
+        return (other.at(350).point - blade.at(350).point).norm() < 0.5;
+      };
+      EXPECT_TRUE(std::ranges::any_of(some->stable, same)) << i;
+    }
+  }
+  EXPECT_GT(fewer, 10);
+}
+
 TEST(HeavySearch, BarriersAreThoseOfARodInSines) {
   // Shallow shapes beside their pass, and grips that are mirror images of each other, whose lowest passes are
   // not. Another route's numbers: Newton's method from anywhere on angles in sine modes. For the first and

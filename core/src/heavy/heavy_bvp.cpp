@@ -455,10 +455,28 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   return rivals;
 }
 
+namespace {
+
+/// A blade between the same grips that turns by more is clearly higher, and so it is where grips are by which
+/// this one has twice its energy: one of length L that turns by τ takes τ²/2L to bend, and its weight lets it
+/// down by what its ends allow at most.
+double turningOfHigher(const HeavyBlade& blade) {
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const double length = n.length, taken = (blade.at(length).point - n.start).norm() / length;
+  // A point of the blade is within the circles about both grips that it reaches.
+  const double off = length * std::hypot(1 - taken, 0.5 * std::sqrt(std::max(0.0, 1 - taken * taken)));
+  const double lift = n.load.norm() * length * off;
+  return std::sqrt(2 * length * std::max(0.0, 2 * (blade.energy() + blade.clearGap()) + lift));
+}
+
+}  // namespace
+
 Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own) {
   const Result<Unit> unit = check(problem, {});
   if (!unit) return tl::unexpected<Error>(unit.error());
-  const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, {});
+  ClampedOptions options;
+  if (own) options.maxTurning = std::min(options.maxTurning, turningOfHigher(*own));
+  const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, options);
   if (!weightless) return tl::unexpected<Error>(weightless.error());
   HeavyRests rests;
   if (weightless->kind == ClampedKind::straight) {

@@ -119,15 +119,16 @@ inline constexpr std::int64_t kRivalsWork = 2'000'000;
 /// Some 10 ms.
 Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work = kRivalsWork);
 
-/// What a blade could rest in between the same grips with any turning, and what is between that and the shape
-/// that it rests in.
+/// What a blade could rest in between the same grips, and what is between that and the shape that it rests
+/// in.
 struct HeavyRests {
-  std::vector<HeavyBlade> stable = {};           ///< all of them, its own shape too
+  std::vector<HeavyBlade> stable = {};  ///< of any turning, its own shape too; not such as turn by so much
+                                        ///< that they have far more energy than that
   std::optional<double> barrier = std::nullopt;  ///< of its own shape, as that of a solution
   std::vector<HeavyBlade> passes = {};           ///< as those of `HeavyRivals`
 };
 /// `own`: the blade as it rests, if that is known; without it there is no barrier and no pass. Errors: those
-/// of `solveAllHeavy`. Some 20 ms.
+/// of `solveAllHeavy`. Some 10 ms.
 Result<HeavyRests> restsOf(const HeavyProblem& problem, const HeavyBlade* own);
 
 /// What a blade at rest falls into from its mirror image in the chord, its ends being held as they are: what
