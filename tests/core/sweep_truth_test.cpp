@@ -734,6 +734,21 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_NEAR(goingOn(0).uncovered, 8 * 80, 0.02 * 240 * 80);
   EXPECT_NEAR(goingOn(0).distance, 40, 1e-9);
   EXPECT_GT(goingOn(1).uncovered, 30 * 80);
+  // A tongue that it passes over counts by how far it is from the blade.
+  const auto tongue = [&](double height, double tolerance) {
+    TriangleMesh mesh = rectangle(104, 120, -46, -33);
+    for (Vector3d& p : mesh.points) p.z() = height;
+    const auto blades = [] {
+      SurfaceGrid grid = flatCut();
+      for (int r = 0; r < grid.rows; ++r) grid.points[std::size_t(11 * r + 10)].x() += 30;
+      return grid;
+    };
+    return coverageOf(flatCut(), *sweep, mesh, {tolerance, 0, nullptr, blades});
+  };
+  EXPECT_NEAR(tongue(1.5, 2).distance, 1.5, 1e-6);
+  EXPECT_EQ(tongue(1.5, 2).share(), 1);
+  EXPECT_NEAR(tongue(0.05, 0.1).distance, 0.05, 1e-6);
+  EXPECT_EQ(tongue(0.45, 0.1).share(), 0);
 
   const Coverage after = look(rectangle(-100, 100, -188, 0));
   EXPECT_NEAR(after.distance, 108, 1e-9);

@@ -35,10 +35,11 @@ class WholeBlade {
   WholeBlade(const WholeBlade&) = delete;  // its rows look at its own grid
   WholeBlade& operator=(const WholeBlade&) = delete;
 
-  /// True if it comes nearer to a place than that; `truly` tells where the target has it.
+  /// How far it is from a place, mm, or `within`, where it does not come nearer; `truly` tells where the
+  /// target has it.
   template <class Truth>
-  bool liesOn(const Vector3d& place, double within, const Truth& truly) {
-    if (!request_.whole) return false;
+  double distance(const Vector3d& place, double within, const Truth& truly) {
+    if (!request_.whole) return within;
     if (!rows_) {
       grid_ = request_.whole();
       rows_.emplace(grid_, planes_);
@@ -46,8 +47,8 @@ class WholeBlade {
     // What is far from it in its own plane is so in truth, but where the surface rises more steeply.
     constexpr double kSteep = 6;
     const sweep::SurfaceRows::Seen seen = rows_->look(place);
-    if (seen.beside > kSteep * within || seen.distance > kSteep * within) return false;
-    return rows_->distance(truly(), within) < within;
+    if (seen.beside > kSteep * within || seen.distance > kSteep * within) return within;
+    return rows_->distance(truly(), within);
   }
 
  private:
@@ -85,20 +86,24 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
     if (!within(sweep.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
     double beyond = std::hypot(seen.across, seen.beside), off = 0;
-    const double may = coverage.limit + kChords + std::abs(request.back);
+    const double back = std::abs(request.back), may = coverage.limit + kChords + back;
     const auto truth = [&] {
       if (request.surface)
         if (const Result<SurfaceSampler::Foot> foot = request.surface->closest(place, nullptr))
           return foot->point;
       return place;
     };
-    if (beyond > coverage.limit && seen.across <= coverage.limit && blade.liesOn(place, may, truth)) {
-      beyond = seen.across;
+    // Beyond the ends of the stations' sections the blade goes on.
+    const double onBlade = request.tolerance + kChords + back;
+    const double away =
+        beyond > kBorder && seen.across <= coverage.limit ? blade.distance(place, onBlade, truth) : onBlade;
+    if (away < onBlade) {
+      beyond = std::max(seen.across, away - back);
     } else if (beyond <= coverage.limit && seen.distance > may) {
       // Along the plane it is farther from a surface that rises across it than in truth.
       const Vector3d truly = truth();
       const double apart = rows.distance(truly, std::hypot(seen.distance, beyond) + (truly - place).norm());
-      if (apart > std::hypot(may, beyond)) off = apart - std::abs(request.back);
+      if (apart > std::hypot(may, beyond)) off = apart - back;
     }
     coverage.area += area;
     const double missed = std::max(beyond, off);
