@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // What is written rests on sections that OpenCASCADE confirmed; what is only looked at does not wait for it.
+// Sections that a gap of the target leaves out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <vector>
 
+#include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
+#include "step_merge.h"
 
 namespace bw::pipeline {
 namespace {
@@ -59,6 +64,46 @@ TEST(ConfirmedSections, AreNotAskedForWhereTheRouteIsGiven) {
   // Confirmed or not, what was traced is what is written.
   EXPECT_EQ(surfaceOf(traced), surfaceOf(produce(saddle(SectionRoute::automatic), kFolder, {}, {})));
   EXPECT_FALSE(surfaceOf(kernel).empty());
+}
+
+/// A panel in two parts, across the travel so far apart.
+Design parted(double gap) {
+  const auto part = [](double from, double to) {
+    SurfaceGrid grid;
+    grid.rows = grid.columns = 9;
+    std::vector<double> v;
+    for (int r = 0; r < grid.rows; ++r) {
+      v.push_back(r / 8.0);
+      for (int c = 0; c < grid.columns; ++c) {
+        const double x = 75.0 * c;
+        grid.points.emplace_back(x, std::lerp(from, to, v.back()), 40 * std::sin(x / 200));
+      }
+    }
+    return geometry::stepText(geometry::loft(grid, v).value(), "part").value();
+  };
+  Design design;
+  design.source().path = "parts.step";
+  design.source().bytes = test::mergedStep({part(0, 350 - gap / 2), part(350 + gap / 2, 700)});
+  design.cut().face.kind = FaceChoice::Kind::all;
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 15;  // that in the middle in the gap
+  return design;
+}
+
+TEST(GapOfATarget, IsToldAndCrossed) {
+  for (const double gap : {0.5, 20.0}) {
+    const Outcome outcome = evaluate(parted(gap), nullptr, {});
+    ASSERT_FALSE(outcome.error) << outcome.error->message;
+    const CutEvaluation& cut = outcome.evaluation.cut();
+    EXPECT_EQ(cut.sweep.value->poses.size(), 14u);
+    EXPECT_EQ(cut.coverage.value->share(), 1);
+    const Findings findings = outcome.evaluation.findings();
+    const auto told = std::ranges::find_if(
+        findings, [](const Finding& f) { return std::holds_alternative<GapInRow>(f.cause); });
+    ASSERT_NE(told, findings.end());
+    EXPECT_EQ(told->severity, Severity::info) << gap;
+    EXPECT_TRUE(told->remedies.empty());
+  }
 }
 
 }  // namespace

@@ -521,18 +521,40 @@ Result<void> cover(const CutWork& work, double& seconds) {
       });
 }
 
+/// Whether the planes of all stations within this stretch do not meet the target.
+bool missesTarget(const Findings& sections, const StationRange& around) {
+  for (int station = around.first + 1; station < around.last; ++station)
+    if (std::ranges::none_of(sections, [station](const Finding& finding) {
+          const std::optional<StationRange>& at = finding.where.stations;
+          return std::holds_alternative<SectionMissing>(finding.cause) && at && at->first <= station &&
+                 station <= at->last && at->count == at->last - at->first + 1;
+        }))
+      return false;
+  return true;
+}
+
 /// The cut surface against the target.
 Result<void> analyze(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::analysis, {checkRequest(work.design, work.cut), e.middle.request},
-                     {e.check.value, e.way.value, e.target.value}, seconds,
-                     [&](const AnalysisRequest& request, Findings& findings) {
-                       Result<SweepAnalysis> analysis =
-                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request.check,
-                                        *e.middleSampler(), geometry::loft, work.context, request.kerf);
-                       if (analysis) findings = analysis->findings;
-                       return analysis;
-                     });
+  return work.settle(
+      &CutEvaluation::analysis, {checkRequest(work.design, work.cut), e.middle.request},
+      {e.check.value, e.way.value, e.target.value}, seconds,
+      [&](const AnalysisRequest& request, Findings& findings) {
+        Result<SweepAnalysis> analysis =
+            analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request.check,
+                         *e.middleSampler(), geometry::loft, work.context, request.kerf);
+        if (!analysis) return analysis;
+        // Where nothing of the target is, nothing has to be followed: coverage tells the rest.
+        for (Finding& finding : analysis->findings) {
+          const GapInRow* gap = std::get_if<GapInRow>(&finding.cause);
+          if (gap && gap->otherPlaces == 0 && missesTarget(e.sections.findings, *finding.where.stations)) {
+            finding.severity = Severity::info;
+            finding.remedies.clear();
+          }
+        }
+        findings = analysis->findings;
+        return analysis;
+      });
 }
 
 /// All that hangs on where the blade goes.

@@ -30,7 +30,7 @@ std::string alsoServes(const Finding& finding) {
            " where grips may come within " + mm(nearer->clearance) + " of the block";
   if (const OtherMargin* margin = remedyOf<OtherMargin>(finding.remedies))
     text += (text.empty() ? "" : ", or ") + std::string("this blade serves where a stability margin of ") +
-            shortText(margin->margin, 2) + " is asked for, within the tolerance";
+            shortText(margin->margin, 2) + " is asked for";
   return text;
 }
 
@@ -40,6 +40,12 @@ std::string shorterText(const Finding& finding, const std::string& otherwise, co
   const std::string also = alsoServes(finding);
   if (!blade) return also.empty() ? otherwise : also;
   return "try one of " + mm(blade->length, 6) + more + (also.empty() ? "" : "; " + also);
+}
+
+/// So many digits, `digits` at least, that a number is seen to be less than its limit.
+int digitsBelow(double number, double limit, int digits) {
+  while (digits < 8 && shortText(number, digits) == shortText(limit, digits)) ++digits;
+  return digits;
 }
 
 std::string takesText(const Finding& finding) {
@@ -134,8 +140,9 @@ static std::string onTheWay(const Finding& finding, const std::string& atStation
 
 std::string Sentences::operator()(const LowMargin& cause) const {
   return onTheWay(finding, at()) + "the blade rests in this shape with a margin of " +
-         shortText(cause.margin, 2) + " alone (asked for: " + shortText(cause.asked, 3) +
-         "; it snaps at 0); " + shorterText(finding, kInParts);
+         shortText(cause.margin, digitsBelow(cause.margin, cause.asked, 2)) +
+         " alone (asked for: " + shortText(cause.asked, 3) + "; it snaps at 0); " +
+         shorterText(finding, kInParts);
 }
 
 std::string Sentences::operator()(const SnapsInWeight& cause) const {
@@ -206,28 +213,22 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
   return none + "; " + whole(cause.best) + " mm, which comes nearest, was taken" + mended;
 }
 
-/// A distance that is to be seen to be less than another one.
-static std::string lessThan(double distance, double limit) {
-  int digits = 3;
-  while (digits < 8 && mm(distance, digits) == mm(limit, digits)) ++digits;
-  return mm(distance, digits);
-}
-
 std::string Sentences::operator()(const GripTooNear& cause) const {
   const StationRange& range = *finding.where.stations;
   const bool between = range.count == 0 && range.first >= 0 && range.last >= 0;
   std::string text =
       onTheWay(finding, at()) +
       (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
-                          : "a grip passes the block at " + lessThan(cause.distance, cause.clearance) +
+                          : "a grip passes the block at " +
+                                mm(cause.distance, digitsBelow(cause.distance, cause.clearance, 3)) +
                                 ", less than the clearance of " + mm(cause.clearance));
   if (between) return text + "; " + moreStationsText(finding, "take more stations");
   if (range.count == 0) return text + "; " + otherBlockText(finding, true);
   if (const OtherLength* blade = remedyOf<OtherLength>(finding.remedies))
-    return text + "; a blade of at least " + mm(blade->length, 6) + " keeps the clearance";
-  text += cause.unheldLength ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) +
-                                   ") would not hold this shape"
-                             : "; no longer blade of this shape keeps the clearance";
+    return text + "; a blade of " + mm(blade->length, 6) + " keeps the clearance";
+  text += cause.unheldLength
+              ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) + ") would not serve"
+              : "; no longer blade of this shape keeps the clearance";
   if (const std::string also = alsoServes(finding); !also.empty()) return text + "; " + also;
   return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
 }
@@ -319,7 +320,11 @@ std::string Sentences::operator()(const EndsSwing& cause) const {
 
 std::string Sentences::operator()(const GapInRow& cause) const {
   const StationRange& range = *finding.where.stations;
-  return leftOutText(range.first + 1, range.last - 1) + " inside the row" +
+  const std::string left = leftOutText(range.first + 1, range.last - 1) + " inside the row";
+  if (finding.severity == Severity::info)
+    return left + ", in a gap of the target: the blade goes straight on over " + mm(cause.width) + " from " +
+           stationName(range.first) + " to " + stationName(range.last);
+  return left +
          (cause.otherPlaces > 0 ? ", and others in " + std::to_string(cause.otherPlaces) + " more places"
                                 : std::string()) +
          ": with nothing to follow, the blade would cut straight on over " + mm(cause.width) + " from " +
