@@ -42,6 +42,12 @@ bool restFails(const Finding& finding) {
          isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
 }
 
+/// True for what a blade of another length is advised against by what stations need, each for itself.
+bool advisesLength(const Finding& finding) {
+  return has<OtherLength>(finding.remedies) && !fallsLittleShort(finding) &&
+         (isOneOf<Overbent, BladeCrosses, GripTooNear>(finding) || restFails(finding));
+}
+
 /// True for what a blade does that rests too little firmly.
 bool restsLoosely(const Finding& finding) {
   const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
@@ -100,6 +106,7 @@ bool lengthFails(const CutEvaluation& cut) {
   if (!cut.rest.value || !cut.sweep.value) return false;
   if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
   if (anyOf(cut, &staysTooNear) || anyOf(cut, &leavesOnTheWay) || hasErrors(cut.ends.findings)) return true;
+  if (anyOf(cut, &advisesLength)) return true;
   // Between the stations its run tells.
   if (std::ranges::any_of(cut.barriers.findings, [](const Finding& finding) {
         return restFails(finding) && !fallsLittleShort(finding);
@@ -154,7 +161,9 @@ void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& bla
   if (!known) return;
   const std::optional<double>& best = known->best;
   for (Finding& finding : findings) {
-    if (!restFails(finding)) continue;
+    if (!restFails(finding) && !isOneOf<Overbent, BladeCrosses, GripTooNear>(finding)) continue;
+    if (const OtherLength* longer = remedyOf<OtherLength>(finding.remedies); longer && !best)
+      if (GripTooNear* near = std::get_if<GripTooNear>(&finding.cause)) near->unheldLength = longer->length;
     drop<OtherLength>(finding.remedies);
     if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
     if ((isLost(finding) || leavesOnTheWay(finding) || isOneOf<NoWay>(finding)) && !best)

@@ -16,8 +16,8 @@ bool fallsLittleShort(const Finding& finding);
 
 /// True if a blade of another length may do what this one does not: where a station is lost, or farther from
 /// its section than the tolerance although it could bend more, for the sake of its margin; where no way leads
-/// into the row or out of it; where its run shows that it rests too loosely between the stations; and where
-/// grips come too near to the block, and no longer blade of their shape helps.
+/// into the row or out of it; where its run shows that it rests too loosely between the stations; where
+/// grips come too near to the block; and where another length is advised by what some stations need.
 bool lengthFails(const CutEvaluation& cut);
 
 /// True if grips nearer to the block may do what no length does: no length serves, and one would have to.

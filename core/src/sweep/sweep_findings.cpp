@@ -133,11 +133,12 @@ double fallsBy(const Sweep& sweep, std::size_t station) {
   return pose.movedByWeight();
 }
 
-/// A blade that is shorter, where that helps these stations, or else another remedy.
+/// A blade that is shorter, where that helps these stations, and another remedy.
 Remedies shorterOr(const Sweep& sweep, const Stretch& stretch, Remedy otherwise,
                    const std::function<bool(const Elastica&)>& holds) {
   const std::optional<double> length = shorterBlade(sweep, stretch.first, stretch.last, holds);
-  return {length ? Remedy(OtherLength{*length}) : std::move(otherwise)};
+  if (!length) return {std::move(otherwise)};
+  return {OtherLength{*length}, std::move(otherwise)};
 }
 
 }  // namespace
