@@ -282,6 +282,29 @@ TEST(HeavyBlade, WithNextToNoSlackHangsAsABeamInTension) {
     }
 }
 
+TEST(HeavyBlade, IsNotLostForWantOfSlack) {
+  // 1e-9 to 1 % of its length, grips turned by as much as that allows for and more.
+  std::mt19937 random(5);
+  const auto within = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  int solved = 0;
+  for (int i = 0; i < 120; ++i) {
+    ClampedProblem grips;
+    grips.length = within(500, 2500);
+    const double slack = std::pow(10, within(-9, -2)), direction = within(-0.3, 0.3),
+                 most = 1.2 * std::sqrt(2 * slack);
+    grips.end = grips.length * (1 - slack) * Vector2d(std::cos(direction), std::sin(direction));
+    grips.startAngle = direction + most * within(-1, 1);
+    grips.endAngle = direction + most * within(-1, 1);
+    if (!solveClamped(grips)) continue;  // not even without weight
+    const Result<HeavyAnswer> answer = solveHeavy(heavyOf(grips));
+    ASSERT_TRUE(answer) << grips.length << " mm, " << slack << ": " << answer.error().message;
+    EXPECT_TRUE(answer->solutions[0].stable);
+    EXPECT_LT(answer->solutions[0].endError, 1e-8 * grips.length);
+    ++solved;
+  }
+  EXPECT_GT(solved, 60);
+}
+
 TEST(HeavyBlade, BucklesToTheSideWhereItsWeightPulls) {
   for (const double tilt : {0.0, 0.8, -2.5})
     for (const double side : {1.0, -1.0}) {

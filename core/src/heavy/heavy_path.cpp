@@ -26,22 +26,19 @@ constexpr int kCorrections = 12;
 constexpr int kNewFactors = 3;      // of the corrections of one step
 constexpr double kGettingOn = 0.3;  // of what was left before: otherwise the factors are too old
 
-VectorXd scaled(const WayPoint& point) {
-  VectorXd v(point.shape.count() + 3);
-  v << point.shape.coefficients, point.shape.force / kForceScale, point.part;
-  return v;
-}
-
-WayPoint pointOf(const VectorXd& v) {
-  const Index n = v.size() - 3;
-  return {v(n + 2), {v.head(n), v.segment<2>(n) * kForceScale}};
+/// Angles of a blade that is held nearly taut are small, and so are the steps in which they change: rad.
+double angleScale(const Way& way) {
+  constexpr double kOfSlack = 20, kLeast = 1e-5;  // of the angles that the slack allows for, rms
+  const double slack = 1 - std::min(way.from.chord.norm(), way.to.chord.norm());
+  return std::clamp(kOfSlack * std::sqrt(2 * std::max(0.0, slack)), kLeast, 1.0);
 }
 
 /// The derivative of the residual by the scaled unknowns and the part.
-MatrixXd derivative(const Way& way, const Equations& equations) {
+MatrixXd derivative(const Way& way, const Equations& equations, double angles) {
   const Index n = equations.modes().count();
   MatrixXd result(n + 2, n + 3);
   result.leftCols(n + 2) = equations.jacobian();
+  result.leftCols(n) *= angles;
   result.middleCols(n, 2) *= kForceScale;
   result.col(n + 2) = equations.along(way.to - way.from);
   return result;
@@ -49,8 +46,19 @@ MatrixXd derivative(const Way& way, const Equations& equations) {
 
 }  // namespace
 
+VectorXd Path::scaled(const WayPoint& point) const {
+  VectorXd v(point.shape.count() + 3);
+  v << point.shape.coefficients / angles_, point.shape.force / kForceScale, point.part;
+  return v;
+}
+
+WayPoint Path::pointOf(const VectorXd& v) const {
+  const Index n = v.size() - 3;
+  return {v(n + 2), {v.head(n) * angles_, v.segment<2>(n) * kForceScale}};
+}
+
 Path::Path(const Way& way, const WayPoint& start, double last)
-    : way_(way), last_(last), here_(start), step_(kFirstStep) {
+    : way_(way), last_(last), angles_(angleScale(way)), here_(start), step_(kFirstStep) {
   tangent_ = VectorXd::Zero(start.shape.count() + 3);
   tangent_(tangent_.size() - 1) = 1;
   if (!stand(start)) step_ = 0;
@@ -60,7 +68,7 @@ bool Path::stand(const WayPoint& point) {
   const Equations equations(modesOf(point.shape.count()), way_.at(point.part), point.shape);
   const Index n = tangent_.size();
   MatrixXd bordered(n, n);
-  bordered << derivative(way_, equations), tangent_.transpose();
+  bordered << derivative(way_, equations, angles_), tangent_.transpose();
   const Eigen::PartialPivLU<MatrixXd> factors(bordered);
   VectorXd ahead = factors.solve(VectorXd::Unit(n, n - 1));
   ahead.normalize();
@@ -91,7 +99,7 @@ std::optional<WayPoint> Path::corrected(const VectorXd& predicted, bool& quick) 
       if (!(miss < 2 * before) || renewed == kNewFactors) break;
       ++renewed;
       MatrixXd bordered(at.size(), at.size());
-      bordered << derivative(way_, equations), border_.transpose();
+      bordered << derivative(way_, equations, angles_), border_.transpose();
       newer = bordered.partialPivLu();
     }
     before = miss;
@@ -159,7 +167,7 @@ std::optional<Followed> follow(const Way& way, const Shape& start) {
       continue;
     }
     // The stability ends between the last two: halve the stretch of the path.
-    double low = 0, high = (scaled(*point) - scaled(last)).norm();
+    double low = 0, high = (path.scaled(*point) - path.scaled(last)).norm();
     WayPoint beyond = *point;
     while (high - low > kShortestStep && std::abs(beyond.part - last.part) > kSnapsWithin) {
       Path probe = before;
@@ -190,8 +198,8 @@ void allAlong(const Way& way, const Shape& start, const std::function<void(const
     if (!point) return;
     if ((point->part - 1) * (last.part - 1) <= 0 && point->part != last.part) {
       const double share = (1 - last.part) / (point->part - last.part);
-      const VectorXd guess = scaled(last) + share * (scaled(*point) - scaled(last));
-      if (const std::optional<Shape> there = settle(way.to, pointOf(guess).shape, 2 * kCorrections))
+      const VectorXd guess = path.scaled(last) + share * (path.scaled(*point) - path.scaled(last));
+      if (const std::optional<Shape> there = settle(way.to, path.pointOf(guess).shape, 2 * kCorrections))
         found(*there);
     }
     last = *point;

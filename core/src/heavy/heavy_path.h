@@ -35,6 +35,10 @@ class Path {
   std::optional<WayPoint> next(double longest);
   const WayPoint& here() const { return here_; }
 
+  /// A point in the coordinates of the path's arc length, and back.
+  Eigen::VectorXd scaled(const WayPoint& point) const;
+  WayPoint pointOf(const Eigen::VectorXd& v) const;
+
  private:
   /// Takes a place for the next start: its derivative, bordered with the direction so far, whose solution is
   /// the direction there. False where it has none, or turns too sharply.
@@ -42,9 +46,9 @@ class Path {
   std::optional<WayPoint> corrected(const Eigen::VectorXd& predicted, bool& quick) const;
 
   Way way_;
-  double last_;
+  double last_, angles_;  ///< the part where it ends; rad, the scale of the coefficients
   WayPoint here_;
-  Eigen::VectorXd border_, tangent_;  ///< in (coefficients, force / kForceScale, part), of length 1
+  Eigen::VectorXd border_, tangent_;  ///< in (coefficients / angles_, force / kForceScale, part), of length 1
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double step_;
 };
