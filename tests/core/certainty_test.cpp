@@ -72,5 +72,21 @@ TEST(CertaintyOfArches, SeesThemInEachDipOfARow) {
   EXPECT_GT(unsure, 3);
 }
 
+TEST(FlatArches, ThatSnapInTheirWeightAreHeldUpByTheirGrips) {
+  // Without weight the blades lie on their sections with so little slack that weight brings them through:
+  // turned up at their ends they do not.
+  const Sweep row = arches(9, 800, [](int) { return 1.0; });
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    const BladePose& pose = row.poses[i];
+    EXPECT_FALSE(row.fits[i].snapsAt) << i;
+    EXPECT_TRUE(row.fits[i].unknown.empty()) << row.fits[i].unknown;
+    EXPECT_LT(row.fits[i].fit.hausdorff, 0.5) << i;
+    ASSERT_TRUE(pose.heavy);
+    EXPECT_GE(marginsOf(*pose.heavy).inPlane, row.request.margin) << i;
+    EXPECT_GT(pose.heavy->at(400).point.y(),
+              std::max(pose.heavy->at(0).point.y(), pose.heavy->at(800).point.y()));
+  }
+}
+
 }  // namespace
 }  // namespace bw

@@ -127,6 +127,24 @@ Result<void> start(Sweep& sweep, const Row& row, Stations& stations) {
       });
 }
 
+/// The blade of a station that snaps in its weight where its section lies, its grips chosen anew as the
+/// weight comes on; empty where that leads to none.
+std::optional<Station> weighed(const Sweep& sweep, const Row& row, std::size_t i) {
+  constexpr int kShares = 32;
+  std::optional<Station> station;
+  for (int k = 1; k <= kShares; ++k) {
+    const Row part(sweep, row.context(), double(k) / kShares);
+    if (!station)
+      station = part.laid(i);
+    else
+      part.weigh(*station);
+    if (!station || !station->good) return {};
+    part.watch(*station);
+    settle(part, {&*station});
+  }
+  return row.holds(*station) ? station : std::nullopt;
+}
+
 /// Chooses the grips of all stations together.
 void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   unwrap(stations.at, 0.25 * sweep.request.blade.length);
@@ -140,6 +158,10 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
     return count;
   };
   const std::size_t before = settle();
+  // All snap in their weight, as of flat arches: others are carried on from one that does not.
+  if (before == 0 && !sweep.request.weight.isZero())
+    for (const std::size_t i : {n / 2, n / 4, n - 1 - n / 4})
+      if ((stations.at[i] = weighed(sweep, row, i))) break;
   // Where none stands, the blade of the station beside it may be carried on.
   const auto carry = [&](std::size_t i, std::size_t from) {
     if (stations.at[i] || !stations.at[from] || !row.holds(*stations.at[from]) || row.context().stopped())

@@ -53,12 +53,13 @@ constexpr double kTurned = 0.02 * kDegree;
 
 }  // namespace
 
-Row::Row(const Sweep& sweep, const RunContext& context)
+Row::Row(const Sweep& sweep, const RunContext& context, double share)
     : sweep_(sweep),
       context_(context),
       length_(sweep.request.blade.length),
       unit_(0.25 * length_),
       limit_(kAtLimit * sweep.request.blade.maxCurvature()),
+      share_(share),
       passed_(sweep.block),
       foam_(sweep) {
   // Planes that turn, or meet the block obliquely, may pass its corners anywhere.
@@ -166,13 +167,8 @@ std::optional<Elastica> Row::light(const Station& station) const {
   return whole ? std::optional(*whole) : std::nullopt;
 }
 
-bool Row::begin(Station& station, const BladePose& pose, const StationFit& fit) const {
+bool Row::lay(Station& station, const BladePose& pose, const StationFit& fit) const {
   if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() || pose.before < 0) return false;
-  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return false;
-  if (pose.heavy)
-    if (const Result<HeavyBranch> branch =
-            HeavyBranch::from(*pose.heavy, sweep_.request.blade.flexuralRigidity()))
-      station.branch = *branch;
   const Elastica::State middle = pose.blade.at(0.5 * length_), last = pose.blade.at(length_);
   station.hungAt << pose.blade.start(), pose.blade.startAngle(), last.point, last.angle;
   const Vector2d force = pose.blade.force() * std::pow(unit_, 3);
@@ -181,6 +177,29 @@ bool Row::begin(Station& station, const BladePose& pose, const StationFit& fit) 
   for (int k = 0; k < kStationPlaces; ++k)
     station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kStationPlaces - 1);
   return true;
+}
+
+bool Row::begin(Station& station, const BladePose& pose, const StationFit& fit) const {
+  if (!lay(station, pose, fit)) return false;
+  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return false;
+  if (pose.heavy)
+    if (const Result<HeavyBranch> branch =
+            HeavyBranch::from(*pose.heavy, sweep_.request.blade.flexuralRigidity()))
+      station.branch = *branch;
+  return true;
+}
+
+std::optional<Station> Row::laid(std::size_t i) const {
+  Station station = at(i);
+  if (!lay(station, sweep_.poses[i], sweep_.fits[i])) return {};
+  look(station);
+  return station.good ? std::optional(station) : std::nullopt;
+}
+
+void Row::weigh(Station& station) const {
+  station.hungAt.setConstant(std::numeric_limits<double>::quiet_NaN());
+  station.lookedAt.reset();
+  look(station);
 }
 
 std::optional<Station> Row::standing(std::size_t i) const {
@@ -239,7 +258,8 @@ bool Row::holds(const Station& station) const {
 
 HeavyProblem Row::held(const Station& station) const {
   const Vector6& grips = station.grips;
-  HeavyProblem held{{}, sweep_.request.blade.flexuralRigidity(), weightIn(sweep_, station.pose->frame)};
+  HeavyProblem held{
+      {}, sweep_.request.blade.flexuralRigidity(), share_ * weightIn(sweep_, station.pose->frame)};
   held.grips.start = grips.head<2>();
   held.grips.startAngle = grips(2);
   held.grips.end = grips.segment<2>(3);
@@ -260,7 +280,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   if (!station.branch) {
     const Result<Elastica> whole = half.segment(-0.5 * length_, 0.5 * length_);
     const Result<Hanging> hanging =
-        whole ? hang(*whole, stiffness, weightIn(sweep_, station.pose->frame), kMostWork)
+        whole ? hang(*whole, stiffness, share_ * weightIn(sweep_, station.pose->frame), kMostWork)
               : Result<Hanging>(tl::unexpected<Error>(whole.error()));
     if (!hanging || hanging->snapsAt) return false;
     const Result<HeavyBranch> branch = HeavyBranch::from(hanging->blade, stiffness);

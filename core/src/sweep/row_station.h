@@ -94,10 +94,15 @@ struct Station {
 /// Looks at stations.
 class Row {
  public:
-  Row(const Sweep& sweep, const RunContext& context);
+  /// `share`: of their weight, that its blades have.
+  Row(const Sweep& sweep, const RunContext& context, double share = 1);
 
   /// A station as the row has it; empty where its blade does not rest near its section.
   std::optional<Station> standing(std::size_t i) const;
+  /// The same from its blade without weight, which takes on this row's share of it; empty where it snaps.
+  std::optional<Station> laid(std::size_t i) const;
+  /// Has a station of a row with another share of the weight take on that of this one.
+  void weigh(Station& station) const;
   /// The same, to be followed from there, with the bounds that were felt; its blade may bend or rest as it
   /// will.
   std::optional<Station> following(std::size_t i) const;
@@ -166,12 +171,15 @@ class Row {
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const;
   Station at(std::size_t i) const;
-  /// Puts a blade into a station; false where that is none that can be looked at.
+  /// Puts a blade without weight into a station; false where that is none that can be looked at.
+  bool lay(Station& station, const BladePose& pose, const StationFit& fit) const;
+  /// The same with its weight.
   bool begin(Station& station, const BladePose& pose, const StationFit& fit) const;
 
   const Sweep& sweep_;
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
+  double share_;                  ///< of the weight
   Box passed_;                    ///< the block, going on along the travel
   InFoam foam_;
 };
