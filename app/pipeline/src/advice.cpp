@@ -42,10 +42,14 @@ bool restFails(const Finding& finding) {
          isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
 }
 
+/// True for what a blade of another length may mend.
+bool isOfLength(const Finding& finding) {
+  return isOneOf<Overbent, BladeCrosses, GripTooNear>(finding) || restFails(finding);
+}
+
 /// True for what a blade of another length is advised against by what stations need, each for itself.
 bool advisesLength(const Finding& finding) {
-  return has<OtherLength>(finding.remedies) && !fallsLittleShort(finding) &&
-         (isOneOf<Overbent, BladeCrosses, GripTooNear>(finding) || restFails(finding));
+  return has<OtherLength>(finding.remedies) && !fallsLittleShort(finding) && isOfLength(finding);
 }
 
 /// True for what a blade does that rests too little firmly.
@@ -161,7 +165,7 @@ void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& bla
   if (!known) return;
   const std::optional<double>& best = known->best;
   for (Finding& finding : findings) {
-    if (!restFails(finding) && !isOneOf<Overbent, BladeCrosses, GripTooNear>(finding)) continue;
+    if (!isOfLength(finding)) continue;
     if (const OtherLength* longer = remedyOf<OtherLength>(finding.remedies); longer && !best)
       if (GripTooNear* near = std::get_if<GripTooNear>(&finding.cause)) near->unheldLength = longer->length;
     drop<OtherLength>(finding.remedies);

@@ -138,7 +138,7 @@ std::optional<Station> weighed(const Sweep& sweep, const Row& row, std::size_t i
       station = part.laid(i);
     else
       part.weigh(*station);
-    if (!station || !station->good) return {};
+    if (!station || !station->good || row.context().stopped()) return {};
     part.watch(*station);
     settle(part, {&*station});
   }
