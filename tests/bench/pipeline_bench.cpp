@@ -165,6 +165,29 @@ CutEvaluation weakRow() {
   return outcome.error ? CutEvaluation() : outcome.evaluation.cut();
 }
 
+/// The row of that panel, whose barriers are not bounded yet. Budget: 60 ms together with what bounds them,
+/// which is `panelFirmRow` less twice `panelCertainty`.
+void panelFlatRow(benchmark::State& state) {
+  const CutEvaluation cut = weakRow();
+  if (!cut.sweep.value) return state.SkipWithError("there is no row");
+  for (auto _ : state) {
+    Findings findings;
+    if (!buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {},
+                    findings))
+      return state.SkipWithError("there is no row");
+  }
+}
+BENCHMARK(panelFlatRow)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// How sure the blades of that row rest.
+void panelCertainty(benchmark::State& state) {
+  const CutEvaluation cut = weakRow();
+  if (!cut.sweep.value) return state.SkipWithError("there is no row");
+  for (auto _ : state)
+    if (!certaintyOf(*cut.sweep.value, {})) return state.SkipWithError("it is not known how the blades rest");
+}
+BENCHMARK(panelCertainty)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
 /// How sure the blades rest, and the row that bears a push.
 void panelFirmRow(benchmark::State& state) {
   const CutEvaluation cut = weakRow();

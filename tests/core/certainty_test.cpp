@@ -88,5 +88,18 @@ TEST(FlatArches, ThatSnapInTheirWeightAreHeldUpByTheirGrips) {
   }
 }
 
+TEST(FlatArches, ThatNothingHoldsUpAreCutByATautBlade) {
+  // With next to no slack what a blade falls into lies beside it; with more of it the arch is flat enough for
+  // a straight one.
+  for (const double height : {0.01, 0.1, 0.3, 0.6}) {
+    const Sweep row = arches(9, 800, [&](int) { return height; });
+    for (std::size_t i = 0; i < row.poses.size(); ++i) {
+      EXPECT_FALSE(row.fits[i].snapsAt) << height;
+      EXPECT_TRUE(row.fits[i].unknown.empty()) << row.fits[i].unknown;
+      EXPECT_LT(row.fits[i].fit.hausdorff, 0.5) << height << " at " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bw

@@ -32,6 +32,7 @@ constexpr Index kModesSearched = 96;   // loops tighter than a fortieth of the l
 constexpr int kMostFalls = 6;          // of one blade while its weight comes on
 constexpr double kPush = 0.02;         // rad: to either side of a shape that is not stable
 constexpr double kPastTheFold = 1e-7;  // of the way
+constexpr double kBesideSag = 0.1;     // mm: what a blade falls into that may sag by less lies beside it
 constexpr double kAsGood = 1e-12;      // of the energy: two mirror images are equally low
 
 /// A problem whose grips have been looked at, with the length and the flexural rigidity as units.
@@ -534,13 +535,13 @@ Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& we
   const double turning = end.angle - blade.startAngle();
   std::optional<Shape> shape = shapeOf(*unit, blade, turning, heavy::kMostModes);
   if (!shape) return lost("without its weight");
-  if (largestSag(length, (end.point - blade.start()).norm()) < kNoSag)
-    return Hanging{placed(*unit, turning, *shape)};
+  const double sag = largestSag(length, (end.point - blade.start()).norm());
+  if (sag < kNoSag) return Hanging{placed(*unit, turning, *shape)};
   const Result<Weighed> weighed = weigh(*unit, turning, *shape);
   if (!weighed) return tl::unexpected<Error>(weighed.error());
   shape = heavy::refined(unit->hold(turning), weighed->shape, heavy::kExact);
   if (!shape) return lost("in finer modes");
-  return Hanging{placed(*unit, turning, *shape), weighed->snapsAt};
+  return Hanging{placed(*unit, turning, *shape), sag < kBesideSag ? std::nullopt : weighed->snapsAt};
 }
 
 HeavyMargins marginsOf(const HeavyBlade& blade, double across, double torsionRatio) {
@@ -670,17 +671,11 @@ Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<c
 Result<HeavyDerivatives> HeavySlopes::at(std::span<const double> s) const {
   const double length = work_->length;
   const Equations& equations = work_->equations;
-  const heavy::Modes& modes = equations.modes();
-  const Eigen::MatrixXd moves = heavy::movesOf(equations, work_->change());
-  if (!moves.allFinite())
+  const Index places = Index(s.size());
+  const Eigen::MatrixXd all =
+      heavy::movesAt(equations, work_->change(), Eigen::ArrayXd::Map(s.data(), places) / length);
+  if (!all.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
-  const Index nodes = modes.nodes.size(), places = Index(s.size());
-  const Eigen::MatrixXd at = heavy::legendreAt(Eigen::ArrayXd::Map(s.data(), places) / length, nodes).values;
-  Eigen::MatrixXd all(places, 12);  // x, y and angle by the four
-  for (int row = 0; row < 3; ++row) {
-    const Eigen::MatrixXd series = modes.polynomials * moves.middleRows(row * nodes, nodes);
-    all.middleCols<4>(4 * row) = at * series;
-  }
   HeavyDerivatives result;
   for (Index k = 0; k < places; ++k) {
     Eigen::Matrix<double, 3, 4> moved;

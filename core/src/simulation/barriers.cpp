@@ -35,7 +35,7 @@ double apart(const HeavyBlade& a, const HeavyBlade& b) {
 /// True for one that can leave the straight line by so little that it has one shape.
 bool isTaut(const HeavyBlade& blade) {
   const double length = blade.length();
-  return largestSag(length, (blade.at(length).point - blade.at(0).point).norm()) < 0.5 * kSameShape;
+  return largestSag(length, (blade.at(length).point - blade.at(0).point).norm()) < kOneShape;
 }
 
 /// What was found out at a moment.

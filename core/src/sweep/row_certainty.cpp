@@ -30,7 +30,7 @@ constexpr double kNearby = 8;      // times the least barrier: where all are hig
 constexpr double kMuchHigher = 4;  // way alone; and times that of the station: higher ones are let be
 
 /// A blade that can leave the straight line by so little has one shape.
-bool isTaut(const BladePose& pose) { return sweep::slackOf(pose) < 0.5 * kSameShape; }
+bool isTaut(const BladePose& pose) { return sweep::slackOf(pose) < kOneShape; }
 
 /// True where it is known how the blade rests.
 bool isKnown(const Sweep& sweep, std::size_t i) {

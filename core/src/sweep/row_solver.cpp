@@ -159,9 +159,15 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   };
   const std::size_t before = settle();
   // All snap in their weight, as of flat arches: others are carried on from one that does not.
+  // A straight one that lies nearer is as good.
   if (before == 0 && !sweep.request.weight.isZero())
-    for (const std::size_t i : {n / 2, n / 4, n - 1 - n / 4})
-      if ((stations.at[i] = weighed(sweep, row, i))) break;
+    for (const std::size_t i : {n / 2, n / 4, n - 1 - n / 4}) {
+      std::optional<Station> held = weighed(sweep, row, i);
+      const std::optional<Station> taut = held ? row.straight(i) : std::nullopt;
+      if (!held || (taut && taut->distance() <= held->distance())) continue;
+      stations.at[i] = std::move(held);
+      break;
+    }
   // Where none stands, the blade of the station beside it may be carried on.
   const auto carry = [&](std::size_t i, std::size_t from) {
     if (stations.at[i] || !stations.at[from] || !row.holds(*stations.at[from]) || row.context().stopped())
@@ -172,8 +178,20 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   };
   for (std::size_t i = 1; i < n; ++i) carry(i, i - 1);
   for (std::size_t i = n - 1; i > 0; --i) carry(i - 1, i);
-  if (std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before)
-    settle();
+  // Where nothing holds up an arch, or what does lies off its section, it may be flat enough for a blade that
+  // is held taut.
+  bool changed =
+      std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before;
+  for (std::size_t i = 0; i < n && !row.context().stopped(); ++i) {
+    std::optional<Station>& station = stations.at[i];
+    const bool falls = sweep.fits[i].snapsAt || !sweep.fits[i].unknown.empty();
+    if (station ? station->distance() <= kNear * sweep.request.tolerance : !falls) continue;
+    std::optional<Station> taut = row.straight(i);
+    if (!taut || (station && taut->distance() >= kWorthAJump * station->distance())) continue;
+    station = std::move(taut);
+    changed = true;
+  }
+  if (changed) settle();
 }
 
 }  // namespace

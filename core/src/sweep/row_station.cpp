@@ -3,6 +3,7 @@
 
 #include "sweep/row_station.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -194,6 +195,38 @@ std::optional<Station> Row::laid(std::size_t i) const {
   if (!lay(station, sweep_.poses[i], sweep_.fits[i])) return {};
   look(station);
   return station.good ? std::optional(station) : std::nullopt;
+}
+
+std::optional<Station> Row::straight(std::size_t i) const {
+  Station station = at(i);
+  Vector2d mean = Vector2d::Zero();
+  double sum = 0;
+  for (std::size_t k = 0; k < kStationPlaces; ++k) {
+    mean += station.shares[k] * station.shares[k] * station.section[k];
+    sum += station.shares[k] * station.shares[k];
+  }
+  mean /= sum;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (std::size_t k = 0; k < kStationPlaces; ++k) {
+    const Vector2d off = station.shares[k] * (station.section[k] - mean);
+    spread += off * off.transpose();
+  }
+  Vector2d along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+  const Vector2d chord = station.section.back() - station.section.front();
+  if (along.dot(chord) < 0) along = -along;
+  const Vector2d across(-along.y(), along.x());
+  for (std::size_t k = 0; k < kStationPlaces; ++k)
+    if (station.counts[k] * std::abs(across.dot(station.section[k] - mean)) > sweep_.request.tolerance)
+      return {};
+  const auto at = [&](const Vector2d& place) { return along.dot(place - mean); };
+  const double middle = 0.5 * (at(station.section.front()) + at(station.section.back())) + station.aside;
+  const Vector2d point = mean + middle * along;
+  Vector6::Map(station.numbers) << point, std::atan2(along.y(), along.x()) * unit_, 0, 0, 0;
+  for (std::size_t k = 0; k < kStationPlaces; ++k)
+    station.feet[k] = std::clamp(at(station.section[k]) - middle + 0.5 * length_, 0.0, length_);
+  look(station);
+  if (!station.good || station.distance() > sweep_.request.tolerance || !meets(station)) return {};
+  return station;
 }
 
 void Row::weigh(Station& station) const {

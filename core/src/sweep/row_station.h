@@ -101,6 +101,9 @@ class Row {
   std::optional<Station> standing(std::size_t i) const;
   /// The same from its blade without weight, which takes on this row's share of it; empty where it snaps.
   std::optional<Station> laid(std::size_t i) const;
+  /// A station whose blade is held taut, straight along its section; empty where the section lies farther
+  /// from that than the tolerance, or more is asked of it.
+  std::optional<Station> straight(std::size_t i) const;
   /// Has a station of a row with another share of the weight take on that of this one.
   void weigh(Station& station) const;
   /// The same, to be followed from there, with the bounds that were felt; its blade may bend or rest as it

@@ -34,8 +34,10 @@ std::optional<BladePose> SmoothWay::at(double travel) const {
   const std::size_t i = before(travel);
   const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
   const double way = b.travel - a.travel, s = (travel - a.travel) / way, r = 1 - s;
-  const Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
-                    s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
+  Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
+              s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
+  // Over a gap of the target, where stations are left out, nothing tells how far the part that cuts goes on.
+  if (b.index > a.index + 1) n.tail<2>() = r * numbers_[i].tail<2>() + s * numbers_[i + 1].tail<2>();
   const Result<Elastica> blade = aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
   const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
   if (!cut) return {};

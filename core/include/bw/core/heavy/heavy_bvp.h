@@ -78,6 +78,8 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
 /// the whole length is. mm. At kNoSag it lies as it would without weight.
 double largestSag(double length, double chord);
 inline constexpr double kNoSag = 0.01;
+/// mm: a blade that may sag by less has one shape.
+inline constexpr double kOneShape = 0.25;
 
 /// Work in which a blade of any shape that is not hopeless is followed: a tenth of a second (`WorkMeter`).
 inline constexpr std::int64_t kBranchWork = 1'000'000;
@@ -89,9 +91,9 @@ struct Hanging {
 };
 /// The shape that a blade which lies as `blade` without weight becomes as its weight comes on evenly, its
 /// grips held where they are. Where its branch ends, or it did not rest to begin with, it falls into another
-/// stable shape. One that may sag by less than kNoSag stays as it is. `stiffness` in N mm², `weight` in N/mm
-/// in the plane's coordinates. Errors: those of `solveHeavy`; noSolution where it takes
-/// more work than that. Some 0.3 ms.
+/// stable shape; of one that may sag by less than 0.1 mm that lies beside it, and is no snap, and one that
+/// may by less than kNoSag stays as it is. `stiffness` in N mm², `weight` in N/mm in the plane's coordinates.
+/// Errors: those of `solveHeavy`; noSolution where it takes more work than that. Some 0.3 ms.
 Result<Hanging> hang(const Elastica& blade, double stiffness, const Eigen::Vector2d& weight,
                      std::int64_t work = kBranchWork);
 
