@@ -296,15 +296,16 @@ class Carving {
     if (!knife) return tl::unexpected(knife.error());
     knives_.push_back(std::move(*knife));
     Result<Left> made = leftBy(context);
-    if (made && made->doubted) {
+    const bool missed = !made && made.error().code == ErrorCode::noSolution;
+    if (missed || (made && made->doubted)) {
       // Where a knife runs along a face of the block by microns there are films, and OpenCASCADE may miss
-      // that it parts the rest.
+      // that it parts the rest; where it touches a face or another cut, it may miss where they meet.
       for (const double towards : {kAside, -kAside}) {
         Result<Knife> moved = movedKnife(cut, towards);
         if (!moved) continue;
         std::swap(knives_.back(), *moved);
         Result<Left> other = leftBy(context);
-        if (other ? other->solids > made->solids : other.error().code == ErrorCode::cancelled) {
+        if (other ? missed || other->solids > made->solids : other.error().code == ErrorCode::cancelled) {
           made = std::move(other);
           break;
         }

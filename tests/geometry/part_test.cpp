@@ -462,6 +462,29 @@ TEST(Part, TouchesWhatWasCutBefore) {
   expectVolume(part, volumeBelow(first) - 0.2 * kWidth * 350 * 350 / 2);
 }
 
+TEST(Part, TouchesTheTopOfTheBlockAlongItsSide) {
+  // A parabola with its vertex on an edge of the block.
+  const Sheet sheet([](double x, double) { return kTall - 0.0003 * (x - kWidth) * (x - kWidth); }, 34, 12);
+  const Part part = partOf({below("arch", sheet.surface)});
+  EXPECT_EQ(part.pieces(), 1);
+  EXPECT_NEAR(part.volume(), kBlock - 0.0003 * std::pow(kWidth, 3) / 3 * kDepth, 1e-4 * kBlock);
+}
+
+TEST(Part, WavesThatTouchInSaddles) {
+  // Crests of one on those of the other.
+  const Sheet along([](double x, double) { return 150 + 20 * std::cos(2 * kPi * x / kWidth); }, 12, 40);
+  const Sheet across([](double, double y) { return 150 + 20 * std::sin(2 * kPi * y / 300); }, 66, 12);
+  const Part part = partOf({below("across", across.surface), below("along", along.surface)});
+  double volume = 0;
+  constexpr int kParts = 400;
+  for (int i = 0; i < kParts; ++i)
+    for (int k = 0; k < kParts; ++k) {
+      const double x = kWidth * (i + 0.5) / kParts, y = kDepth * (k + 0.5) / kParts;
+      volume += std::min(along.height(x, 0), across.height(0, y)) * kWidth * kDepth / kParts / kParts;
+    }
+  EXPECT_NEAR(part.volume(), volume, 1e-4 * kBlock);
+}
+
 TEST(Part, MeshIsClosedAndHoldsTheVolume) {
   const Sheet a(rising), b(falling);
   const Part part = partOf({below("a", a.surface), below("b", b.surface)});
