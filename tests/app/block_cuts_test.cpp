@@ -142,6 +142,52 @@ TEST(BlockCuts, WhatMeetsNothingIsDroppedWithAMessage) {
   EXPECT_FALSE(words::sentence(e.missed.front(), words::Reader::window).empty());
 }
 
+TEST(BlockCuts, WhatLeavesASheetIsMade) {
+  // The second comes a millimetre under what the first leaves, and takes all but that.
+  Design design = crossing();
+  design.variables.clear();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  addFlat(design, "over", 201);
+  addFlat(design, "under", 200);
+  design.cuts.erase(design.cuts.begin() + 2, design.cuts.end());
+  design.cuts.front().keep = KeptSide::above;
+  const Outcome sheet = evaluate(design, nullptr, {});
+  ASSERT_FALSE(sheet.error) << sheet.error->message;
+  EXPECT_EQ(idsOf(sheet.evaluation.blocks.front()).size(), 2u);
+  EXPECT_TRUE(sheet.evaluation.missed.empty());
+}
+
+TEST(BlockCuts, ASurfaceThatLeavesTheBlockOnTheWayIsShownWithoutFolds) {
+  // Through the top, obliquely: its sections grow short, are none, and grow again.
+  Design design = crossing();
+  design.variables.clear();
+  design.cuts.resize(1);
+  design.cuts.front().pose = {};
+  design.cuts.front().sections.stations = 101;
+  design.sources = {design.source()};
+  design.sources.front().id = design.cuts.front().source;
+  const Box block = design.stock.front().placement->box();
+  ASSERT_EQ(block.size.x(), 600);
+  const double top = block.size.z(), deep = block.size.y();
+  design.sources.front().surface = DesignedSurface{
+      FormulaSurface{{{0, 0}, {600, deep}},
+                     std::to_string(top - 60) + "+100*sin(pi*y/" + std::to_string(deep) + ")-0.05*x"}};
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const CutEvaluation& cut = outcome.evaluation.cut();
+  const std::vector<BladePose>& poses = cut.sweep.value->poses;
+  EXPECT_TRUE(std::ranges::adjacent_find(
+                  poses, [](const BladePose& a, const BladePose& b) { return b.index > a.index + 1; }) !=
+              poses.end())
+      << "no station is left out";
+  const SweepAnalysis& analysis = *cut.analysis.value;
+  const Eigen::Vector3d way = cut.setup->planes.direction();
+  for (int r = 1; r < analysis.cut.rows; ++r)
+    for (int c = 0; c < analysis.cut.columns; ++c)
+      ASSERT_GT((analysis.cut.at(r, c) - analysis.cut.at(r - 1, c)).dot(way), 0) << r << " " << c;
+  EXPECT_LT(analysis.summary.deviationMax, 0.2);
+}
+
 /// A source over a part of the block, with its cut at the end of the list.
 void addPart(Design& design, const std::string& id, double from, double to, const std::string& formula) {
   Source source;

@@ -47,6 +47,13 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_LT(whole.distance, 1e-9);
   EXPECT_TRUE(whole.findings.empty());
 
+  // Nothing of it in the block: no cut is asked for there, and none is said to be whole.
+  const Coverage elsewhere = look(rectangle(400, 500, -80, 0));
+  EXPECT_EQ(elsewhere.share(), 0);
+  ASSERT_EQ(elsewhere.findings.size(), 1u);
+  EXPECT_EQ(elsewhere.findings[0].severity, Severity::error);
+  EXPECT_EQ(std::get<Uncovered>(elsewhere.findings[0].cause).where, Uncovered::Where::elsewhere);
+
   // Under the surface, but off it: a part of a target that no blade followed.
   TriangleMesh lifted = rectangle(-100, 100, -80, 0);
   for (Vector3d& p : lifted.points) p.z() = 30;

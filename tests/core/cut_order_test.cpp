@@ -80,6 +80,23 @@ TEST(CutOrder, ACutAboveWhatIsLeftMeetsNothing) {
   EXPECT_TRUE(std::isinf(meets(high.mesh(), standing(), {}, {}).value())) << "a whole block";
 }
 
+TEST(CutOrder, ACutTakesWhatLiesOnItsOtherSide) {
+  PatchSampler top = slope(100, 0), below = slope(99, 0), far = slope(130, 0), steep = slope(60, 0.1);
+  const std::vector<PartedBy> before = {{&top, -1}};
+  const auto taken = [&](PatchSampler& of, double kept) {
+    const TriangleMesh mesh = of.mesh();
+    return takes({&mesh, {&of, kept > 0 ? 1 : -1}, kept * Vector3d::UnitZ()}, standing(), before, 2, {})
+        .value();
+  };
+  // A millimetre under what was left: a film, or all but a sheet of that.
+  EXPECT_NEAR(taken(below, -1), 1, 1e-9);
+  EXPECT_GE(taken(below, 1), 2);
+  // Above it: nothing, or all.
+  EXPECT_EQ(taken(far, -1), 0);
+  EXPECT_GE(taken(far, 1), 2);
+  EXPECT_GE(taken(steep, -1), 2);
+}
+
 TEST(Refined, EdgesAreHalvedAndStayShared) {
   const TriangleMesh mesh = slope(0, 0).mesh();
   const Box all = BlockPlacement{{-1700, -1600, -100}, {4000, 4000, 200}, {0, 0, 0}}.box();

@@ -36,14 +36,14 @@ std::vector<Neighbours> neighboursOf(const Evaluation& e);
 /// are there before any row, and stay.
 class KnownNeighbours {
  public:
-  explicit KnownNeighbours(const Evaluation& e) : e_(e) {}
+  explicit KnownNeighbours(const Evaluation& e) : e_(&e) {}
   const std::vector<Neighbours>& pairs() {
-    if (!pairs_) pairs_ = neighboursOf(e_);
+    if (!pairs_) pairs_ = neighboursOf(*e_);
     return *pairs_;
   }
 
  private:
-  const Evaluation& e_;
+  const Evaluation* e_;
   std::optional<std::vector<Neighbours>> pairs_;
 };
 

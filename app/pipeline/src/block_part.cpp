@@ -72,25 +72,25 @@ std::vector<Eigen::Vector3d> keptWays(const Design& design, const BlockEvaluatio
   return ways;
 }
 
-/// How far each cut comes into what is left, once its turn has come.
-Result<std::vector<double>> metBy(const BlockEvaluation& block, const MetRequest& request,
-                                  const RunContext& context) {
+/// How thick the foam is, up to the tolerance, that each cut takes of what is left, once its turn has come.
+Result<std::vector<double>> takenBy(const BlockEvaluation& block, const MetRequest& request,
+                                    const RunContext& context) {
   std::vector<std::unique_ptr<SurfaceSampler>> samplers;
   std::vector<PartedBy> before;
-  std::vector<double> met;
+  std::vector<double> taken;
   for (std::size_t i = 0; i < block.cuts.size(); ++i) {
     const CutEvaluation& cut = block.cuts[i];
-    const TriangleMesh& mesh = *cut.targetMesh.value;
-    const Result<double> depth = meets(mesh, request.placed, before, context);
-    if (!depth) return tl::unexpected<Error>(depth.error());
-    met.push_back(*depth);
-    if (*depth < request.tolerance) continue;
     samplers.push_back(cut.target.value->sampler());
-    const Result<int> side = sideKept(mesh, *samplers.back(), request.kept[i]);
+    TakingCut taking{cut.targetMesh.value.get(), {samplers.back().get(), 1}, request.kept[i]};
+    const Result<int> side = sideKept(*taking.mesh, *samplers.back(), taking.kept);
     if (!side) return tl::unexpected<Error>(ofCut(cut.id, side.error()).error());
-    before.push_back({samplers.back().get(), *side});
+    taking.surface.side = *side;
+    const Result<double> thick = takes(taking, request.placed, before, request.tolerance, context);
+    if (!thick) return tl::unexpected<Error>(thick.error());
+    taken.push_back(*thick);
+    if (*thick >= request.tolerance) before.push_back(taking.surface);
   }
-  return met;
+  return taken;
 }
 
 Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvaluation* previous,
@@ -112,7 +112,7 @@ Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvalu
   const Result<void> ok =
       settle(block.met, previous ? &previous->met : nullptr,
              {placed, keptWays(e.design, block, placed), tolerance}, std::move(inputs), e.seconds.check,
-             [&](const MetRequest& request, Findings&) { return metBy(block, request, context); });
+             [&](const MetRequest& request, Findings&) { return takenBy(block, request, context); });
   if (!ok) return ok;
   std::vector<CutEvaluation> made;
   for (std::size_t i = 0; i < block.cuts.size(); ++i) {

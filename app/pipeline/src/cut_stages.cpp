@@ -381,39 +381,52 @@ Result<void> followSpeeds(const CutWork& work, const RowRequest& blades) {
 
 }  // namespace
 
-Result<void> fit(const CutWork& work) {
+namespace {
+
+/// Has sections go on along the target beyond the block, where the grips are to follow it.
+Result<void> goOn(const CutWork& work, const PlanesRequest& request, std::vector<Section>& sections) {
+  if (request.beyond == 0) return {};
+  return geometry::followBeyond(*work.e.target.value, request.setup, request.beyond, sections, work.context);
+}
+
+}  // namespace
+
+Result<void> section(const CutWork& work) {
   CutEvaluation& e = work.e;
-  const geometry::Target& target = *e.target.value;
   const Result<SectionRequest> asked = sectionRequest(work);
   if (!asked) return tl::unexpected<Error>(asked.error());
-  FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
+  const FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
   const PlanesRequest planes{*e.setup, *asked, reachBeyond(fit, work.blade(), e.setup->block)};
-  const auto follow = [&work, &target](const PlanesRequest& request, std::vector<Section>& sections) {
-    if (request.beyond == 0) return Result<void>();
-    return geometry::followBeyond(target, request.setup, request.beyond, sections, work.context);
-  };
-  Result<void> ok =
-      work.settle(&CutEvaluation::sections, planes, {e.target.value}, work.seconds.sections,
-                  [&](const PlanesRequest& request, Findings& findings) -> Result<std::vector<Section>> {
-                    work.context.report(0.3, "sections");
-                    Result<std::vector<Section>> cut = geometry::cutSections(
-                        target, request.setup, request.sections, work.context.child(0.3, 0.6), findings);
-                    if (!cut) return cut;
-                    if (Result<void> done = follow(request, *cut); !done)
-                      return tl::unexpected<Error>(done.error());
-                    return cut;
-                  });
-  if (ok) ok = work.unlessStopped();
+  const Stage<PlanesRequest, std::vector<Section>>& made = e.sections;
+  if (made.value && made.request == planes && made.inputs == Inputs{e.target.value}) return {};
+  const Result<void> ok = work.settle(
+      &CutEvaluation::sections, planes, {e.target.value}, work.seconds.sections,
+      [&](const PlanesRequest& request, Findings& findings) -> Result<std::vector<Section>> {
+        work.context.report(0.3, "sections");
+        Result<std::vector<Section>> cut = geometry::cutSections(
+            *e.target.value, request.setup, request.sections, work.context.child(0.3, 0.6), findings);
+        if (!cut) return cut;
+        if (Result<void> done = goOn(work, request, *cut); !done) return tl::unexpected<Error>(done.error());
+        return cut;
+      });
+  return ok ? work.unlessStopped() : ok;
+}
+
+Result<void> fit(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  Result<void> ok = section(work);
   if (!ok) return ok;
-  if (work.purpose != Purpose::live && asked->route == SectionRoute::automatic) {
+  FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
+  const PlanesRequest& planes = e.sections.request;
+  if (work.purpose != Purpose::live && planes.sections.route == SectionRoute::automatic) {
     using Anew = std::optional<std::vector<Section>>;
     ok = work.settle(&CutEvaluation::confirmed, planes, {e.sections.value}, work.seconds.sections,
                      [&](const PlanesRequest& request, Findings& findings) -> Result<Anew> {
                        findings = e.sections.findings;
-                       Result<Anew> anew = geometry::confirmSections(target, request.setup, request.sections,
-                                                                     work.context, findings);
+                       Result<Anew> anew = geometry::confirmSections(
+                           *e.target.value, request.setup, request.sections, work.context, findings);
                        if (!anew || !*anew) return anew;
-                       if (Result<void> done = follow(request, **anew); !done)
+                       if (Result<void> done = goOn(work, request, **anew); !done)
                          return tl::unexpected<Error>(done.error());
                        return anew;
                      });
@@ -533,28 +546,38 @@ bool missesTarget(const Findings& sections, const StationRange& around) {
   return true;
 }
 
+/// Whether that is so wherever stations of a row are left out.
+bool allMissTarget(const Findings& sections, const std::vector<BladePose>& poses) {
+  const auto left = [&](const BladePose& a, const BladePose& b) {
+    return b.index > a.index + 1 && !missesTarget(sections, {a.index, b.index, a.index, 2});
+  };
+  return std::ranges::adjacent_find(poses, left) == poses.end();
+}
+
 /// The cut surface against the target.
 Result<void> analyze(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(
-      &CutEvaluation::analysis, {checkRequest(work.design, work.cut), e.middle.request},
-      {e.check.value, e.way.value, e.target.value}, seconds,
-      [&](const AnalysisRequest& request, Findings& findings) {
-        Result<SweepAnalysis> analysis =
-            analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request.check,
-                         *e.middleSampler(), geometry::loft, work.context, request.kerf);
-        if (!analysis) return analysis;
-        // Where nothing of the target is, nothing has to be followed: coverage tells the rest.
-        for (Finding& finding : analysis->findings) {
-          const GapInRow* gap = std::get_if<GapInRow>(&finding.cause);
-          if (gap && gap->otherPlaces == 0 && missesTarget(e.sections.findings, *finding.where.stations)) {
-            finding.severity = Severity::info;
-            finding.remedies.clear();
-          }
-        }
-        findings = analysis->findings;
-        return analysis;
-      });
+  return work.settle(&CutEvaluation::analysis, {checkRequest(work.design, work.cut), e.middle.request},
+                     {e.check.value, e.way.value, e.target.value}, seconds,
+                     [&](const AnalysisRequest& request, Findings& findings) {
+                       Result<SweepAnalysis> analysis =
+                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request.check,
+                                        *e.middleSampler(), geometry::loft, work.context, request.kerf);
+                       if (!analysis) return analysis;
+                       // Where nothing of the target is, nothing has to be followed: coverage tells the rest.
+                       for (Finding& finding : analysis->findings) {
+                         const GapInRow* gap = std::get_if<GapInRow>(&finding.cause);
+                         if (!gap) continue;
+                         const Findings& sections = e.sections.findings;
+                         if (gap->otherPlaces > 0 ? allMissTarget(sections, e.sweep.value->poses)
+                                                  : missesTarget(sections, *finding.where.stations)) {
+                           finding.severity = Severity::info;
+                           finding.remedies.clear();
+                         }
+                       }
+                       findings = analysis->findings;
+                       return analysis;
+                     });
 }
 
 /// All that hangs on where the blade goes.

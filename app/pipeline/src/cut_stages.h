@@ -55,6 +55,8 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
 Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement);
 /// What the design asks for, with the number of stations where that is left to the tolerance.
 Result<SectionRequest> sectionRequest(const CutWork& work);
+/// The target's curves in its planes.
+Result<void> section(const CutWork& work);
 /// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand: of one width, or
 /// of those of a `field`. The outer ones lie as far out as what stands needs (`carriedOut`). Errors: those of
 /// `movedBy`, and `badInput` where it cannot be told on which side of what is cut foam stays.

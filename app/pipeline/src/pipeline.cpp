@@ -291,6 +291,52 @@ Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation
   }
 }
 
+/// Tells the cuts of which the surface goes on in a neighbouring block.
+KnownNeighbours joinWorks(std::vector<CutWork>& works, const Evaluation& e) {
+  KnownNeighbours neighbours(e);
+  const std::vector<char> joined = joinedCuts(e, neighbours);
+  for (std::size_t i = 0; i < works.size(); ++i) works[i].joined = joined[i] != 0;
+  return neighbours;
+}
+
+/// Of several blocks those are left out, and told of, in which no plane meets the surface in a curve that a
+/// blade can follow. True if there are such.
+Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
+  if (e.blocks.size() < 2) return false;
+  std::vector<std::string> uncut;
+  Findings told;
+  std::optional<Error> first;
+  for (const CutWork& work : works) {
+    const Result<void> ok = section(work);
+    if (ok) continue;
+    const Error& error = ok.error();
+    if (error.code != ErrorCode::badInput && error.code != ErrorCode::noSolution)
+      return tl::unexpected<Error>(inCut(e, work.cut, ok).error());
+    if (!first) first = inCut(e, work.cut, ok).error();
+    uncut.push_back(work.cut.block);
+    Place where;
+    where.block = work.cut.block;
+    for (Finding finding : work.e.sections.findings) {
+      finding.where.block = where.block;
+      told.push_back(std::move(finding));
+    }
+    told.push_back({Severity::error, BlockUncut{error.message}, where, {}});
+  }
+  const auto isUncut = [&uncut](const std::string& block) {
+    return std::ranges::find(uncut, block) != uncut.end();
+  };
+  if (uncut.empty()) return false;
+  if (std::ranges::all_of(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); }))
+    return tl::unexpected<Error>(*first);
+  append(e.missed, told);
+  std::vector<CutWork> left;
+  for (const CutWork& work : works)
+    if (!isUncut(work.cut.block)) left.push_back(work);
+  works.swap(left);
+  std::erase_if(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); });
+  return true;
+}
+
 /// Runs the motions of all cuts, side by side.
 Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunContext& context) {
   std::vector<double> seconds(works.size(), 0);
@@ -517,9 +563,10 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
       if (ok = place(works.back(), placement); !ok) return stop(inCut(e, cut, ok).error());
     }
   }
-  KnownNeighbours neighbours(e);
-  const std::vector<char> joined = joinedCuts(e, neighbours);
-  for (std::size_t i = 0; i < works.size(); ++i) works[i].joined = joined[i] != 0;
+  KnownNeighbours neighbours = joinWorks(works, e);
+  const Result<bool> fewer = leaveOutUncut(works, e);
+  if (!fewer) return stop(fewer.error());
+  if (*fewer) neighbours = joinWorks(works, e);
   if (ok = fitAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   for (const CutWork& work : works)
     if (ok = check(work); !ok) return stop(inCut(e, work.cut, ok).error());

@@ -31,6 +31,7 @@ Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
   }
   stage.request = request;
   stage.inputs = std::move(inputs);
+  stage.findings.clear();
   const auto start = Clock::now();
   Result<T> made = make(stage.request, stage.findings);
   if (!made) return tl::unexpected<Error>(made.error());

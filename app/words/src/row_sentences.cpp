@@ -241,12 +241,14 @@ static std::string lowAt(const Finding& finding, const std::string& atStations) 
 }
 
 std::string Sentences::operator()(const NearBottom& cause) const {
+  constexpr double kNothing = 1e-4;  // mm
   const bool atHome = !finding.where.stations;
   const std::string text =
       lowAt(finding, atHome ? std::string() : at()) +
-      (cause.height < 0 ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
-                        : "the blade passes the face that the block lies on at " + mm(cause.height) +
-                              ", less than the floor of " + mm(cause.floor));
+      (cause.height < -kNothing
+           ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
+           : "the blade passes the face that the block lies on at " + mm(std::max(0.0, cause.height)) +
+                 ", less than the floor of " + mm(cause.floor));
   if (atHome)
     return text + "; a home that lies " + mm(std::ceil(cause.floor - cause.height)) + " higher keeps it";
   switch (cause.lower) {
@@ -320,15 +322,16 @@ std::string Sentences::operator()(const EndsSwing& cause) const {
 
 std::string Sentences::operator()(const GapInRow& cause) const {
   const StationRange& range = *finding.where.stations;
-  const std::string left = leftOutText(range.first + 1, range.last - 1) + " inside the row";
-  if (finding.severity == Severity::info)
-    return left + ", in a gap of the target: the blade goes straight on over " + mm(cause.width) + " from " +
-           stationName(range.first) + " to " + stationName(range.last);
-  return left +
-         (cause.otherPlaces > 0 ? ", and others in " + std::to_string(cause.otherPlaces) + " more places"
-                                : std::string()) +
-         ": with nothing to follow, the blade would cut straight on over " + mm(cause.width) + " from " +
-         stationName(range.first) + " to " + stationName(range.last) +
+  const bool missed = finding.severity == Severity::info;
+  std::string left = leftOutText(range.first + 1, range.last - 1) + " inside the row";
+  if (cause.otherPlaces > 0) left += ", and others in " + std::to_string(cause.otherPlaces) + " more places";
+  if (missed)
+    return left + (cause.otherPlaces > 0 ? ", each in a gap" : ", in a gap") +
+           " of the target: the blade goes straight on over " + mm(cause.width) + " from " +
+           stationName(range.first) + " to " + stationName(range.last) +
+           (cause.otherPlaces > 0 ? " and over the others" : "");
+  return left + ": with nothing to follow, the blade would cut straight on over " + mm(cause.width) +
+         " from " + stationName(range.first) + " to " + stationName(range.last) +
          "; choose a block on one side of the gap, one face without it, or another cutting direction";
 }
 
@@ -347,6 +350,11 @@ std::string Sentences::operator()(const TooFar& cause) const {
       return text + "it arises where " + leftOutText(cause.leftFirst, cause.leftLast) +
              ": close that gap first";
   }
+  if (cause.unheld)
+    text +=
+        "the ends, tangents or length that are asked for (fit, join) keep it there, and without them a curve "
+        "lies within " +
+        mm(*cause.unheld) + "; ";
   return text + kInParts + ", turn the cutting direction, or allow more";
 }
 
@@ -354,6 +362,10 @@ std::string Sentences::operator()(const TooFar& cause) const {
 static constexpr double kHardlyAny = 1;
 
 std::string Sentences::operator()(const Uncovered& cause) const {
+  if (cause.where == Uncovered::Where::elsewhere)
+    return "nothing of the surface lies in the block, where it has a hole or ends: no cut is asked for "
+           "there; "
+           "move the block to where the surface is";
   const std::string where = cause.where == Uncovered::Where::before  ? " before the first station that cuts"
                             : cause.where == Uncovered::Where::after ? " after the last station that cuts"
                                                                      : " beyond the end of the blade's cut";
@@ -562,11 +574,14 @@ std::string Sentences::operator()(const BlocksMissed& cause) const {
          " blocks are not met by the surface, and nothing is cut of them: " + names;
 }
 
+std::string Sentences::operator()(const BlockUncut& cause) const {
+  return "nothing is cut of the block: " + cause.reason;
+}
+
 std::string Sentences::operator()(const CutDropped& cause) const {
-  return "the cut " + cause.cut + " is not made: it comes " +
-         (cause.met > 1e-3 ? "only " + mm(cause.met) + " into" : "nowhere into") +
-         " what the cuts before it leave of the block (tolerance " + mm(cause.tolerance) +
-         "); take it away, or make it earlier (order)";
+  return "the cut " + cause.cut + " is not made: of what the cuts before it leave of the block it takes " +
+         (cause.met > 1e-3 ? "only what is " + mm(cause.met) + " thick" : "nothing") + " (tolerance " +
+         mm(cause.tolerance) + "); take it away, or make it earlier (order)";
 }
 
 std::string Sentences::operator()(const CreaseOff& cause) const {

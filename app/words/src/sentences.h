@@ -53,6 +53,7 @@ struct Sentences {
   std::string operator()(const JointUnknown& cause) const;
   std::string operator()(const KerfUnsettled& cause) const;
   std::string operator()(const BlocksMissed& cause) const;
+  std::string operator()(const BlockUncut& cause) const;
   std::string operator()(const CutDropped& cause) const;
   std::string operator()(const CreaseOff& cause) const;
   std::string operator()(const TakesSurface& cause) const;

@@ -139,4 +139,50 @@ Result<double> meets(const TriangleMesh& mesh, const Box& box, const std::vector
   return most;
 }
 
+namespace {
+
+/// The part of the ray from `p` along `way` that lies in a box, mm; its end is less than its start where none
+/// does.
+std::array<double, 2> partInBox(const Box& box, const Vector3d& p, const Vector3d& way) {
+  const Vector3d from = box.frame.toLocal(p);
+  const Vector3d along(way.dot(box.frame.x), way.dot(box.frame.y), way.dot(box.frame.normal));
+  std::array<double, 2> part = {0, box.size.norm() + from.norm()};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (along(axis) == 0) {
+      if (from(axis) < 0 || from(axis) > box.size(axis)) part[1] = -1;
+      continue;
+    }
+    const double a = -from(axis) / along(axis), b = (box.size(axis) - from(axis)) / along(axis);
+    part = {std::max(part[0], std::min(a, b)), std::min(part[1], std::max(a, b))};
+  }
+  return part;
+}
+
+}  // namespace
+
+Result<double> takes(const TakingCut& cut, const Box& box, const std::vector<PartedBy>& before, double enough,
+                     const RunContext& context) {
+  const Result<double> met = meets(*cut.mesh, box, before, context);
+  if (!met || *met >= enough) return met;
+  double most = *met;
+  const Vector3d way = -cut.kept.normalized();
+  for (const Vector3d& p : refined(*cut.mesh, box, box.size.norm() / kSamples).points) {
+    if (context.stopped()) return stoppedError();
+    // What is left lies no nearer than its depth tells.
+    const auto [from, to] = partInBox(box, p, way);
+    for (double t = from; t <= to;) {
+      const Vector3d q = p + t * way;
+      const Result<double> depth = depthIn(before, q);
+      if (!depth) return depth;
+      if (*depth >= 0) {
+        const Result<double> taken = depthIn({{cut.surface.surface, -cut.surface.side}}, q);
+        if (!taken || *taken >= enough) return taken;
+        most = std::max(most, *taken);
+      }
+      t += std::max(std::abs(*depth), 0.5 * enough);
+    }
+  }
+  return most;
+}
+
 }  // namespace bw

@@ -23,8 +23,9 @@ constexpr int kMostSplits = 64;    // of an edge
 constexpr double kChords = 0.05;   // mm by which the triangles of the cut surface may lie off it
 
 bool within(const Box& box, const Vector3d& place) {
+  constexpr double kRounding = 1e-6;  // mm
   const Vector3d local = box.frame.toLocal(place);
-  return (local.array() >= 0).all() && (local.array() <= box.size.array()).all();
+  return (local.array() >= -kRounding).all() && (local.array() <= box.size.array() + kRounding).all();
 }
 
 /// What a blade leaves from grip to grip, made where it is asked for first.
@@ -82,11 +83,13 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
   const sweep::SurfaceRows rows(cut, sweep.planes);
   WholeBlade blade(request, sweep.planes);
   bool lies = false;  // off what is cut, where it is farthest, not beyond its border
+  bool any = false;
+  const double offLimit = request.tolerance + kChords;
   const auto see = [&](const Vector3d& place, double area) {
     if (!within(sweep.block, place)) return;
     const sweep::SurfaceRows::Seen seen = rows.look(place);
     double beyond = std::hypot(seen.across, seen.beside), off = 0;
-    const double back = std::abs(request.back), may = coverage.limit + kChords + back;
+    const double back = std::abs(request.back), may = offLimit + back;
     const auto truth = [&] {
       if (request.surface)
         if (const Result<SurfaceSampler::Foot> foot = request.surface->closest(place, nullptr))
@@ -106,12 +109,14 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
       if (apart > std::hypot(may, beyond)) off = apart - back;
     }
     coverage.area += area;
-    const double missed = std::max(beyond, off);
-    if (missed > coverage.limit) coverage.uncovered += area;
-    if (missed > coverage.distance) {
-      coverage.distance = missed;
+    const double farthest = std::max(beyond, off);
+    const bool missed = beyond > coverage.limit || off > offLimit;
+    if (missed) coverage.uncovered += area;
+    if (missed == any ? farthest > coverage.distance : missed) {
+      coverage.distance = farthest;
       coverage.point = place;
       lies = off > beyond;
+      any = missed;
     }
   };
   Vector3d low = target.points.front(), high = low;
@@ -135,7 +140,10 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
           see(a + (u + shift) / n * (b - a) + (v + shift) / n * (c - a), area);
         }
   }
-  if (coverage.distance > coverage.limit)
+  if (coverage.area == 0)
+    coverage.findings.push_back(
+        {Severity::error, Uncovered{.where = Uncovered::Where::elsewhere}, {{}, sweep.block.center()}, {}});
+  if (any)
     coverage.findings.push_back({Severity::error,
                                  causeOf(coverage, sweep, lies),
                                  {{}, coverage.point},

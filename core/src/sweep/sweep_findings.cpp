@@ -64,6 +64,17 @@ Remedies toleranceFor(double deviation) {
   return tolerance <= kWidest ? Remedies{WiderTolerance{tolerance}} : Remedies{};
 }
 
+/// mm, of a curve near to the section of a station of which no ends, tangents or length are asked for, where
+/// these keep the blade at least twice as far off.
+std::optional<double> unheldAt(const Sweep& sweep, std::size_t i) {
+  constexpr double kWorthIt = 0.5;
+  const FitRequest& asked = sweep.request;
+  if (!asked.fitEndpoints && !asked.fitTangents && asked.fitLength == FitOptions::Length::free) return {};
+  const Result<FitResult> free = fitElastica(sweep.fits[i].target);
+  if (!free || free->hausdorff > kWorthIt * sweep.fits[i].fit.hausdorff) return {};
+  return free->hausdorff;
+}
+
 void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
                   SweepAnalysis& analysis) {
   const std::vector<BladePose>& poses = sweep.poses;
@@ -88,6 +99,8 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
     cause.source = TooFar::Source::between;
     remedies = twiceAsMany(sweep, request.clearance);
   } else {
+    cause.unheld = unheldAt(sweep, std::size_t(std::ranges::max_element(analysis.stationDeviation) -
+                                               analysis.stationDeviation.begin()));
     remedies = toleranceFor(cause.deviation);
     remedies.insert(remedies.begin(), {CutInParts{}, TurnDirection{}});
   }

@@ -41,8 +41,17 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id, const Fi
   }
   const auto found = std::ranges::find(shown->blocks, id, &pipeline::BlockEvaluation::id);
   if (found == shown->blocks.end()) {
+    const bool wrong = std::ranges::any_of(findings, [&id](const Finding& finding) {
+      return finding.severity == Severity::error && finding.where.block == id;
+    });
     standing.word = bench.stale() ? tr("not computed") : tr("not cut");
-    standing.tip = bench.stale() ? QString() : tr("The surface does not meet this block");
+    if (bench.stale()) return standing;
+    standing.tip = wrong ? tr("The messages tell why nothing can be cut of it")
+                         : tr("The surface does not meet this block");
+    if (wrong) {
+      standing.icon = "error";
+      standing.colour = &Colours::error;
+    }
     return standing;
   }
   double time = 0;

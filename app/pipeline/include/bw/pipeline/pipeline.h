@@ -179,12 +179,12 @@ struct BlockPart {
 struct BlockEvaluation {
   std::string id;  ///< of the design's block
   std::vector<CutEvaluation> cuts = std::vector<CutEvaluation>(1);
-  /// Those that are not made, since they meet nothing of what is left: their surfaces alone.
+  /// Those that are not made, since they take nothing of what is left: their surfaces alone.
   std::vector<CutEvaluation> dropped = {};
   // Only where it has several cuts, or had before some were dropped:
   std::optional<BlockPlacement> placement = std::nullopt;  ///< where it is, before it is turned for any cut
-  Stage<MetRequest, std::vector<double>> met =
-      {};                                         ///< mm that each cut comes into what those before it leave
+  /// mm, up to the tolerance, of the foam that each cut takes of what those before it leave.
+  Stage<MetRequest, std::vector<double>> met = {};
   Stage<MetRequest, CutsTogether> together = {};  ///< the creases that they leave
   /// For files, where there are several blocks, or cuts of it, or its surface is designed; else where there
   /// are several cuts from `addSecondThought`.

@@ -209,13 +209,16 @@ struct TooFar {
   double spacing = 0;               ///< of the stations there
   double own = 0;                   ///< largest distance of the stations themselves
   int leftFirst = 0, leftLast = 0;  ///< of the gap
+  /// Of a curve without the ends, tangents or length that are asked for, where these keep the blade so far
+  /// off.
+  std::optional<double> unheld = std::nullopt;
 };
 /// A part of the target is not cut.
 struct Uncovered {
   static constexpr FindingKind kind = FindingKind::coverage;
   /// Where it reaches farthest: before the first station that cuts, after the last one, beyond an end of the
-  /// blade's cut, or off the surface that is cut over or under it.
-  enum class Where { before, after, beside, off };
+  /// blade's cut, or off the surface that is cut over or under it; or nothing of it is in the block.
+  enum class Where { before, after, beside, off, elsewhere };
   double area = 0, share = 0;  ///< mm², and of all of the target in the block
   double distance = 0;         ///< beyond the cut surface, or off it, at most
   Where where = Where::beside;
@@ -488,11 +491,16 @@ struct BlocksMissed {
   std::vector<std::string> blocks;  ///< ids
   int of = 0;                       ///< how many there are in all
 };
-/// A cut that meets nothing of what the cuts before it left of its block: it is not made.
+/// Why nothing is cut of a block that the surface does come through.
+struct BlockUncut {
+  static constexpr FindingKind kind = FindingKind::blocks;
+  std::string reason;
+};
+/// A cut that takes nothing of what the cuts before it left of its block: it is not made.
 struct CutDropped {
   static constexpr FindingKind kind = FindingKind::cuts;
   std::string cut;                ///< its id
-  double met = 0, tolerance = 0;  ///< mm that it comes into what is left, at most, and at least to be made
+  double met = 0, tolerance = 0;  ///< mm of foam that it takes of what is left, at most, and at least
 };
 /// The edge that two cuts leave is not the one where the surfaces designed meet.
 struct CreaseOff {
@@ -555,17 +563,19 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause = std::variant<
-    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
-    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, NearBottom,
-    SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, ToldBlades, TargetsCrowd,
-    LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay,
-    OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort,
-    SectionBranches, SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit,
-    SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned,
-    ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen,
-    JointUnknown, KerfUnsettled, BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft,
-    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
+                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
+                 GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
+                 BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
+                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths,
+                 GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+                 SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
+                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned, ChosenDirection,
+                 LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen,
+                 JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut, CutDropped, CreaseOff, TakesSurface,
+                 PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach,
+                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

@@ -49,4 +49,16 @@ struct PartedBy {
 [[nodiscard]] Result<double> meets(const TriangleMesh& mesh, const Box& box,
                                    const std::vector<PartedBy>& before, const RunContext& context);
 
+/// A cut of a block, and which way the foam lies that it leaves.
+struct TakingCut {
+  const TriangleMesh* mesh = nullptr;
+  PartedBy surface;
+  Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();
+};
+/// mm, of the thickest foam that a cut takes of what other cuts left of the box, as far from its surface as
+/// `enough`, and 0 where it takes nothing. A surface that comes that far into it takes as much; where it does
+/// not all that was left may still lie on the side that it takes. Errors as of `meets`.
+[[nodiscard]] Result<double> takes(const TakingCut& cut, const Box& box, const std::vector<PartedBy>& before,
+                                   double enough, const RunContext& context);
+
 }  // namespace bw
