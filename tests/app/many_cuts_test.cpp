@@ -302,6 +302,42 @@ TEST(Wall, OfLayersOverAGapMeetsAndHasItsParts) {
   EXPECT_NEAR(part.volume(), below, 1e-3 * below);
 }
 
+TEST(Wall, RowsGoOnWithOneSlopeInTheirSolids) {
+  // Where a surface that bends along the travel passes from one row of blocks to the next, the blades go on
+  // straight out of either, which must not bend what is made of them before the boundary.
+  Design design = wall();
+  design.variables.clear();
+  design.grid = BlockGrid{};
+  design.grid->sizes = {{std::vector<double>{600}, {550, 450}, {500}}};
+  design.grid->gaps = {{std::vector<double>{}, {0}, {}}};
+  design.stock = stockOf(*design.grid);
+  design.sources.front().surface =
+      DesignedSurface{FormulaSurface{{{0, 0}, {600, 1000}}, "250+40*sin(pi*x/600)+60*sin(pi*y/300)"}};
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  cut.sections.stations = 20;
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  const Outcome outcome = evaluate(design, nullptr, {}, Purpose::files);
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  ASSERT_EQ(outcome.evaluation.blocks.size(), 2u);
+  // At a y, in the middle of the blade.
+  const auto height = [&](std::size_t block, double y) {
+    const SplineSurface& surface = outcome.evaluation.blocks[block].cuts.front().swept.value->surface;
+    double low = surface.knotsV.front(), high = surface.knotsV.back();
+    const bool rising = surface.value(0.5, high).y() > surface.value(0.5, low).y();
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      ((surface.value(0.5, middle).y() < y) == rising ? low : high) = middle;
+    }
+    return surface.value(0.5, low).z();
+  };
+  constexpr double kStep = 0.02;
+  double slopes[2];
+  for (std::size_t k = 0; k < 2; ++k)
+    slopes[k] = (height(k, 550 + kStep) - height(k, 550 - kStep)) / (2 * kStep);
+  EXPECT_LT(toDegrees(std::abs(slopes[0] - slopes[1])), 0.15) << slopes[0] << " " << slopes[1];
+}
+
 TEST(Wall, LeavesOutBlocksThatTheSurfaceMisses) {
   Design design = wall();
   design.grid->sizes[2] = {100, 400, 300};

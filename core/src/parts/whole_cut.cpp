@@ -17,7 +17,8 @@ constexpr int kColumns = 41;
 constexpr double kBeyond = 10;       ///< mm that the blade goes on beyond a block
 constexpr double kLeastApart = 0.5;  ///< mm between any two rows
 constexpr double kAtFace = 1;        ///< mm from a face of the block: what ends there goes through it
-/// mm from a bend between the course and the straight travel, on either side: rows that keep it where it is.
+/// mm from where the course becomes straight, on either side: rows that keep a bend where it is, and the
+/// slope with which a surface goes on in a neighbouring block.
 constexpr std::array kAroundBend = {1.0, 3.0, 9.0, 27.0};
 
 /// The rows of a course at a travel near one of its ends: a cubic through the four rows there, or fewer.
@@ -72,13 +73,11 @@ Result<WholeCut> wholeCut(const std::vector<BladePose>& course, const PlaneFamil
       for (std::size_t c = 0; c < row.size(); ++c) row[c] += (to - end) * slope[c];
       all.emplace_back(to, std::move(row));
     };
-    if (!through) {
-      const double spacing = std::abs(end - travel[atEnd ? travel.size() - 2 : 1]);
-      for (const double apart : kAroundBend) {
-        if (apart < 0.6 * spacing)
-          all.emplace_back(end - way * apart, near(rows, travel, atEnd, end - way * apart));
-        if (apart < 0.6 * std::abs(beyond - end)) carried(end + way * apart);
-      }
+    const double spacing = std::abs(end - travel[atEnd ? travel.size() - 2 : 1]);
+    for (const double apart : kAroundBend) {
+      if (apart < 0.6 * spacing)
+        all.emplace_back(end - way * apart, near(rows, travel, atEnd, end - way * apart));
+      if (apart < 0.6 * std::abs(beyond - end)) carried(end + way * apart);
     }
     carried(beyond);
   }
