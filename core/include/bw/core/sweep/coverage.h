@@ -41,10 +41,10 @@ struct CoverageRequest {
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
 /// the last station, or beyond the ends of the blade's cut in its own plane, unless what the `whole` blade
 /// leaves lies on it, is not covered, nor is what no cut surface comes near to (docs/mathematics.md,
-/// coverage). An error tells it: what lies off the cut by more than the tolerance, or beyond its border by more
-/// than that and half a mm, since the outer stations keep a little off the border and the leads cut on; and
-/// that nothing of the target lies in the block, as in a hole of it. `cut`: rows along the blade, each in a
-/// plane of the sweep's family, in the order of travel.
+/// coverage). An error tells it: what lies off the cut by more than the tolerance, or beyond its border by
+/// more than that and half a mm, since the outer stations keep a little off the border and the leads cut on;
+/// and that nothing of the target lies in the block, as in a hole of it. `cut`: rows along the blade, each in
+/// a plane of the sweep's family, in the order of travel.
 [[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
                                   const CoverageRequest& request);
 
