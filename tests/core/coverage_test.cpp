@@ -54,6 +54,14 @@ TEST(Coverages, LookFromTheTargetToTheCut) {
   EXPECT_EQ(elsewhere.findings[0].severity, Severity::error);
   EXPECT_EQ(std::get<Uncovered>(elsewhere.findings[0].cause).where, Uncovered::Where::elsewhere);
 
+  // A block that lies between all places that are looked at of a large target is met all the same.
+  Sweep small = *sweep;
+  small.block = Box{Frame{{1, -3, -1}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}, {1, 1, 2}};
+  const Coverage inside = coverageOf(flatCut(), small, rectangle(-900, 900, -900, 900), {2});
+  EXPECT_NEAR(inside.area, 1, 0.2);
+  EXPECT_EQ(inside.share(), 1);
+  EXPECT_TRUE(inside.findings.empty());
+
   // Under the surface, but off it: a part of a target that no blade followed.
   TriangleMesh lifted = rectangle(-100, 100, -80, 0);
   for (Vector3d& p : lifted.points) p.z() = 30;

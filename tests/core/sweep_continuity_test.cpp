@@ -230,7 +230,7 @@ TEST(SweepContinuity, RunsFromItsLongestSection) {
   const Result<Sweep> back = sweepOf(sections, settings, findings);
   ASSERT_TRUE(there && back);
   for (std::size_t i = 0; i < sections.size(); ++i)
-    EXPECT_LT((there->poses[i].leftPoint() - back->poses[sections.size() - 1 - i].leftPoint()).norm(), 1e-4);
+    EXPECT_LT((there->poses[i].leftPoint() - back->poses[sections.size() - 1 - i].leftPoint()).norm(), 1e-6);
 }
 
 TEST(SweepContinuity, ABladeShorterThanOneSectionIsAnErrorWhateverItsNeighbours) {

@@ -671,11 +671,17 @@ Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<c
 Result<HeavyDerivatives> HeavySlopes::at(std::span<const double> s) const {
   const double length = work_->length;
   const Equations& equations = work_->equations;
-  const Index places = Index(s.size());
-  const Eigen::MatrixXd all =
-      heavy::movesAt(equations, work_->change(), Eigen::ArrayXd::Map(s.data(), places) / length);
-  if (!all.allFinite())
+  const heavy::Modes& modes = equations.modes();
+  const Eigen::MatrixXd moves = heavy::movesOf(equations, work_->change());
+  if (!moves.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
+  const Index nodes = modes.nodes.size(), places = Index(s.size());
+  const Eigen::MatrixXd at = heavy::legendreAt(Eigen::ArrayXd::Map(s.data(), places) / length, nodes).values;
+  Eigen::MatrixXd all(places, 12);  // x, y and angle by the four
+  for (int row = 0; row < 3; ++row) {
+    const Eigen::MatrixXd series = modes.polynomials * moves.middleRows(row * nodes, nodes);
+    all.middleCols<4>(4 * row) = at * series;
+  }
   HeavyDerivatives result;
   for (Index k = 0; k < places; ++k) {
     Eigen::Matrix<double, 3, 4> moved;

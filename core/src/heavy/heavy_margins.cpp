@@ -151,55 +151,43 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   VectorXd load(n + 1);
   load << across * moments(modes, 1 - modes.nodes.array()), 0.0;
   const VectorXd angles = modes.values.transpose() * system.partialPivLu().solve(load).head(n);
+  const VectorXd places = modes.polynomials * (modes.integral * angles);
   constexpr int kPlaces = 50;
   const ArrayXd evenly = ArrayXd::LinSpaced(kPlaces + 1, 0, 1);
-  const VectorXd series = modes.polynomials * angles;
-  margins.sideways = (legendreAt(evenly, series.size()).integrals * series).cwiseAbs().maxCoeff();
+  margins.sideways = (legendreAt(evenly, places.size()).values * places).cwiseAbs().maxCoeff();
   if (!(margins.outOfPlane > 0)) margins.sideways = std::numeric_limits<double>::infinity();
   return margins;
 }
 
 Changes changesOf(const Equations& equations) {
   const Modes& modes = equations.modes();
-  const Index n = modes.count();
+  const Index n = modes.count(), nodes = modes.nodes.size();
   Hold changes[4];
   for (Hold& change : changes) change = 0.0 * change;
   changes[0].chord.x() = changes[1].chord.y() = 1;
   changes[2].startAngle = changes[3].turning = 1;
   changes[2].turning = -1;
-  Changes result;
-  MatrixXd right(n + 2, 4);
+  MatrixXd right(n + 2, 4), turned(nodes, 4), bent(nodes, 4);
   for (Index k = 0; k < 4; ++k) {
     right.col(k) = -equations.along(changes[k]);
-    result.start(k) = changes[k].startAngle;
-    result.linear(k) = changes[k].turning;
+    turned.col(k) = changes[k].startAngle + changes[k].turning * modes.nodes.array();
+    bent.col(k).setConstant(changes[k].turning);
   }
   const MatrixXd moved = equations.jacobian().partialPivLu().solve(right);
-  result.coefficients = moved.topRows(n);
-  result.force = moved.bottomRows<2>();
-  result.turned.noalias() = modes.values.transpose() * result.coefficients;
-  result.turned += modes.nodes * result.linear;
-  result.turned.rowwise() += result.start;
-  return result;
+  turned += modes.values.transpose() * moved.topRows(n);
+  bent += modes.slopes.transpose() * moved.topRows(n);
+  return {turned, bent, moved.bottomRows<2>()};
 }
 
-MatrixXd movesAt(const Equations& equations, const Changes& changes, const ArrayXd& places) {
+MatrixXd movesOf(const Equations& equations, const Changes& changes) {
   const Modes& modes = equations.modes();
   const Index nodes = modes.nodes.size();
+  const MatrixXd& turned = changes.turned;
   const Sampled& s = equations.sampled();
-  // t' = (−sin θ, cos θ) θ': as Legendre polynomials, whose integrals are known.
-  MatrixXd tangents(nodes, 8);
-  tangents << -(s.sine.matrix().asDiagonal() * changes.turned),
-      s.cosine.matrix().asDiagonal() * changes.turned;
-  const MatrixXd integrals = legendreAt(places, nodes).integrals;
-  const MatrixXd series = modes.polynomials * tangents;
-  MatrixXd moves(places.size(), 12);
-  moves.leftCols<8>().noalias() = integrals * series;
-  auto angles = moves.rightCols<4>();
-  angles.noalias() = integrals.middleCols(1, modes.count()) * changes.coefficients;
-  angles += places.matrix() * changes.linear;
-  angles.rowwise() += changes.start;
-  return moves;
+  MatrixXd result(3 * nodes, 4);
+  result << -(modes.integral * (s.sine.matrix().asDiagonal() * turned)),
+      modes.integral * (s.cosine.matrix().asDiagonal() * turned), turned;
+  return result;
 }
 
 MarginSlope marginSlopeOf(const Equations& equations, double below,
@@ -240,10 +228,8 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
   const Sampled& s = equations.sampled();
   const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();
   const double twisted = (weights * curvature * phi).sum();
-  MatrixXd bends = modes.slopes.transpose() * changes.coefficients;
-  bends.rowwise() += changes.linear;
   for (Index k = 0; k < 4; ++k) {
-    const ArrayXd bent = bends.col(k);
+    const ArrayXd bent = changes.bent.col(k);
     const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine +
                           s.across * changes.turned.col(k).array() - 2 * curvature * bent;
     slope.byGrips(k) =
@@ -254,14 +240,14 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
 }
 
 ClampedSensitivity sensitivityOf(const Equations& equations) {
+  const MatrixXd moves = movesOf(equations, changesOf(equations));
   const Modes& modes = equations.modes();
   const Index nodes = modes.nodes.size();
-  const MatrixXd moves = movesAt(equations, changesOf(equations), modes.nodes.array());
   Eigen::Matrix4d positions = Eigen::Matrix4d::Zero();
   Eigen::Matrix2d angles = Eigen::Matrix2d::Zero();
   for (Index q = 0; q < nodes; ++q) {
     Eigen::Matrix<double, 2, 4> moved;
-    moved << moves.block<1, 4>(q, 0), moves.block<1, 4>(q, 4);
+    moved << moves.row(q), moves.row(nodes + q);
     Eigen::Matrix<double, 2, 4> both;
     both << Eigen::Matrix2d::Identity() - moved.leftCols<2>(), moved.leftCols<2>();
     positions += modes.weights(q) * both.transpose() * both;

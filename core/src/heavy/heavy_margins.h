@@ -22,20 +22,19 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
 
 /// How an equilibrium changes with its grips, columns the end's x and y, then the angles of start and end.
 struct Changes {
-  Eigen::MatrixXd coefficients;
+  Eigen::MatrixXd turned;  ///< the angle at the nodes
+  Eigen::MatrixXd bent;    ///< the curvature there
   Eigen::Matrix<double, 2, 4> force;
-  Eigen::MatrixXd turned;            ///< the angle at the nodes, of which that of no coefficients is
-  Eigen::RowVector4d start, linear;  ///< start + linear · s
 };
 /// Not finite at a fold.
 Changes changesOf(const Equations& equations);
 
-/// How the curve of an equilibrium changes with its grips at places of [0, 1], in lengths and rad: (place,
-/// x by the four, then y, then the angle). The start's places follow, since a blade that is moved as a whole
-/// keeps its shape.
-Eigen::MatrixXd movesAt(const Equations& equations, const Changes& changes, const Eigen::ArrayXd& places);
+/// How the curve of an equilibrium at its nodes changes with its grips, in lengths and rad: rows x and y of
+/// all nodes, then the angles; columns the end's x and y, then the angles of start and end. The start's
+/// places follow, since a blade that is moved as a whole keeps its shape.
+Eigen::MatrixXd movesOf(const Equations& equations, const Changes& changes);
 
-/// A margin and its derivative, columns as those of `Changes`.
+/// A margin and its derivative, columns as those of `movesOf`.
 struct MarginSlope {
   double margin = 1;
   Eigen::RowVector4d byGrips = Eigen::RowVector4d::Zero();

@@ -37,6 +37,7 @@ Modes make(Index count, Index total) {
   modes.values = at.integrals.middleCols(1, count).transpose();
   modes.slopes = at.values.middleCols(1, count).transpose();
   modes.polynomials = at.values.transpose() * modes.weights.asDiagonal();
+  modes.integral = at.integrals * modes.polynomials;
   modes.squares = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
   const Index places = kPlacesEach * count;
   modes.slopesEvenly = legendreAt(ArrayXd::LinSpaced(places + 1, 0, 1), count + 1).values.rightCols(count);

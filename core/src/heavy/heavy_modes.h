@@ -16,6 +16,7 @@ struct Modes {
   Eigen::MatrixXd values;          ///< φ_j at node q in (j, q)
   Eigen::MatrixXd slopes;          ///< φ_j' likewise
   Eigen::MatrixXd polynomials;     ///< values at the nodes to the p_j, j = 0 …, of their interpolant
+  Eigen::MatrixXd integral;        ///< values at the nodes to their integrals from 0 to each node
   Eigen::MatrixXd squares;         ///< ∫ φ_i φ_j
   Eigen::MatrixXd slopesEvenly;    ///< φ_j' at kPlacesEach · count + 1 even places in (place, j)
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "bw/core/surface/refine.h"
 #include "sweep/surface_rows.h"
 
 namespace bw {
@@ -125,20 +126,27 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMe
     high = high.cwiseMax(p);
     see(p, 0);
   }
-  const double finest = (high - low).norm() / kFineness;
-  for (const auto& [i, j, k] : target.triangles) {
-    const Vector3d &a = target.points[std::size_t(i)], &b = target.points[std::size_t(j)],
-                   &c = target.points[std::size_t(k)];
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int n = finest > 0 ? int(std::clamp(std::ceil(longest / finest), 1.0, double(kMostSplits))) : 1;
-    const double area = 0.5 * (b - a).cross(c - a).norm() / (n * n);
-    // The centres of n² equal triangles: those that stand, and those that lie between them.
-    for (int u = 0; u < n; ++u)
-      for (int v = 0; u + v < n; ++v)
-        for (const double shift : {1.0 / 3, 2.0 / 3}) {
-          if (shift > 0.5 && u + v + 1 >= n) continue;
-          see(a + (u + shift) / n * (b - a) + (v + shift) / n * (c - a), area);
-        }
+  const auto seeAll = [&see](const TriangleMesh& mesh, double finest) {
+    for (const auto& [i, j, k] : mesh.triangles) {
+      const Vector3d &a = mesh.points[std::size_t(i)], &b = mesh.points[std::size_t(j)],
+                     &c = mesh.points[std::size_t(k)];
+      const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+      const int n = finest > 0 ? int(std::clamp(std::ceil(longest / finest), 1.0, double(kMostSplits))) : 1;
+      const double area = 0.5 * (b - a).cross(c - a).norm() / (n * n);
+      // The centres of n² equal triangles: those that stand, and those that lie between them.
+      for (int u = 0; u < n; ++u)
+        for (int v = 0; u + v < n; ++v)
+          for (const double shift : {1.0 / 3, 2.0 / 3}) {
+            if (shift > 0.5 && u + v + 1 >= n) continue;
+            see(a + (u + shift) / n * (b - a) + (v + shift) / n * (c - a), area);
+          }
+    }
+  };
+  seeAll(target, (high - low).norm() / kFineness);
+  // A block that is small beside the target may lie between all of these places.
+  if (coverage.area == 0) {
+    const double finest = sweep.block.size.norm() / kFineness;
+    seeAll(refined(target, sweep.block, kMostSplits * finest), finest);
   }
   if (coverage.area == 0)
     coverage.findings.push_back(

@@ -182,7 +182,8 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   // is held taut.
   bool changed =
       std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before;
-  for (std::size_t i = 0; i < n && !row.context().stopped(); ++i) {
+  const bool heavy = !sweep.request.weight.isZero();
+  for (std::size_t i = 0; heavy && i < n && !row.context().stopped(); ++i) {
     std::optional<Station>& station = stations.at[i];
     const bool falls = sweep.fits[i].snapsAt || !sweep.fits[i].unknown.empty();
     if (station ? station->distance() <= kNear * sweep.request.tolerance : !falls) continue;
