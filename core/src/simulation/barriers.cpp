@@ -246,7 +246,7 @@ void confirm(const Looker& looker, std::size_t count, Looks& looks) {
     least->second = std::move(look);
     if (!unsure && was.until) {
       // Nor is anything from here on to where nothing is.
-      const auto [from, to] = std::minmax(here, *was.until);
+      const auto from = std::min(here, *was.until), to = std::max(here, *was.until);
       std::erase_if(looks,
                     [&](const auto& one) { return !one.second.whole && one.first > from && one.first < to; });
     }
