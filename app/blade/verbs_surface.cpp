@@ -64,10 +64,12 @@ std::string radiusText(double radius) {
 void tellSummary(const pipeline::Evaluation& e) {
   const pipeline::Overall all = pipeline::overallOf(e);
   const SweepSummary& s = all.summary;
-  std::cerr << (e.blocks.size() > 1 ? std::to_string(e.blocks.size()) + " blocks, " : "") << all.stations
-            << " stations; deviation max " << shortText(s.deviationMax) << " mm (between stations "
-            << (all.programMax ? shortText(*all.programMax) + " mm" : "not known") << "), mean "
-            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance)
+  const std::string uncut =
+      e.uncut.empty() ? "" : " and " + std::to_string(e.uncut.size()) + " that cannot be cut";
+  std::cerr << (e.blocks.size() > 1 || !uncut.empty() ? counted(e.blocks.size(), "block") + uncut + ", " : "")
+            << all.stations << " stations; deviation max " << shortText(s.deviationMax)
+            << " mm (between stations " << (all.programMax ? shortText(*all.programMax) + " mm" : "not known")
+            << "), mean " << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance)
             << (all.programMax > e.design.process.tolerance
                     ? " of the surface shown within tolerance (the blade between its stations is not), "
                     : " within tolerance, ")

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
+#include "bw/words/findings.h"
 #include "step_merge.h"
 
 namespace bw::pipeline {
@@ -66,8 +68,8 @@ TEST(ConfirmedSections, AreNotAskedForWhereTheRouteIsGiven) {
   EXPECT_FALSE(surfaceOf(kernel).empty());
 }
 
-/// A panel in two parts, across the travel so far apart.
-Design parted(double gap) {
+/// A panel in parts of one length, across the travel so far apart.
+Design parted(double gap, int parts = 2) {
   const auto part = [](double from, double to) {
     SurfaceGrid grid;
     grid.rows = grid.columns = 9;
@@ -83,10 +85,14 @@ Design parted(double gap) {
   };
   Design design;
   design.source().path = "parts.step";
-  design.source().bytes = test::mergedStep({part(0, 350 - gap / 2), part(350 + gap / 2, 700)});
+  std::vector<std::string> files;
+  for (int k = 0; k < parts; ++k)
+    files.push_back(part(k == 0 ? 0 : 700.0 * k / parts + gap / 2,
+                         k + 1 == parts ? 700 : 700.0 * (k + 1) / parts - gap / 2));
+  design.source().bytes = test::mergedStep(files);
   design.cut().face.kind = FaceChoice::Kind::all;
   design.cut().direction = Eigen::Vector3d::UnitY();
-  design.cut().sections.stations = 15;  // that in the middle in the gap
+  design.cut().sections.stations = 41;  // one in the middle of each gap
   return design;
 }
 
@@ -95,7 +101,7 @@ TEST(GapOfATarget, IsToldAndCrossed) {
     const Outcome outcome = evaluate(parted(gap), nullptr, {});
     ASSERT_FALSE(outcome.error) << outcome.error->message;
     const CutEvaluation& cut = outcome.evaluation.cut();
-    EXPECT_EQ(cut.sweep.value->poses.size(), 14u);
+    EXPECT_EQ(cut.sweep.value->poses.size(), 40u);
     EXPECT_EQ(cut.coverage.value->share(), 1);
     const Findings findings = outcome.evaluation.findings();
     const auto told = std::ranges::find_if(
@@ -104,6 +110,24 @@ TEST(GapOfATarget, IsToldAndCrossed) {
     EXPECT_EQ(told->severity, Severity::info) << gap;
     EXPECT_TRUE(told->remedies.empty());
   }
+}
+
+TEST(GapOfATarget, IsNoErrorWhereThereAreMoreThanAreTold) {
+  const Outcome outcome = evaluate(parted(20, 5), nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  EXPECT_EQ(outcome.evaluation.cut().sweep.value->poses.size(), 37u);
+  EXPECT_EQ(outcome.evaluation.cut().coverage.value->share(), 1);
+  int told = 0;
+  for (const Finding& finding : outcome.evaluation.findings()) {
+    const auto* gap = std::get_if<GapInRow>(&finding.cause);
+    if (!gap) continue;
+    ++told;
+    EXPECT_EQ(gap->otherPlaces, 3);
+    EXPECT_EQ(finding.severity, Severity::info);
+    const std::string said = words::sentence(finding, words::Reader::commandLine);
+    EXPECT_NE(said.find("others in 3 more places, each in a gap of the target"), std::string::npos) << said;
+  }
+  EXPECT_EQ(told, 1);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/key_blades.h"
 #include "bw/pipeline/moulds.h"
+#include "bw/pipeline/overall.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
@@ -390,6 +391,16 @@ TEST(Wall, ABlockThatCannotBeCutLeavesTheOthers) {
     }
   EXPECT_EQ(uncut, (std::vector<std::string>{"column-1-layer-1", "column-2-layer-2"}));
   ASSERT_EQ(e.blocks.size() + uncut.size(), 4u);
+  EXPECT_EQ(e.uncut, uncut);
+  // What lies in them counts as not covered.
+  const Overall all = overallOf(e);
+  double area = e.uncutArea, uncovered = e.uncutArea;
+  for (const BlockEvaluation& block : e.blocks) {
+    area += block.cuts.front().coverage.value->area;
+    uncovered += block.cuts.front().coverage.value->uncovered;
+  }
+  EXPECT_GT(e.uncutArea, 0.02 * area);
+  EXPECT_NEAR(all.covered, 1 - uncovered / area, 1e-12);
   for (const BlockEvaluation& block : e.blocks) EXPECT_TRUE(block.cuts.front().result()) << block.id;
   // Held at the boundary the blades of the others are 2.7 mm off, and would not be without that.
   int held = 0;

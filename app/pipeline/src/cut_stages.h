@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bw/core/sweep/kerf_field.h"
 #include "bw/pipeline/pipeline.h"
@@ -55,6 +56,10 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
 Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement);
 /// What the design asks for, with the number of stations where that is left to the tolerance.
 Result<SectionRequest> sectionRequest(const CutWork& work);
+/// The sections of the target: those of the tracer, or what OpenCASCADE took over of them.
+std::shared_ptr<const std::vector<Section>> ownRow(const CutEvaluation& e);
+/// The sections that the blades are for.
+std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e);
 /// The target's curves in its planes.
 Result<void> section(const CutWork& work);
 /// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand: of one width, or

@@ -13,7 +13,7 @@ namespace bw::pipeline {
 Overall overallOf(const Evaluation& e) {
   Overall all;
   const std::vector<Strip> strips = stripsOf(e);
-  double area = 0, uncovered = 0, programs = 0;
+  double area = e.uncutArea, uncovered = e.uncutArea, programs = 0;
   bool known = true, followed = true;
   SweepSummary& s = all.summary;
   const bool one = strips.size() == 1;
@@ -37,7 +37,8 @@ Overall overallOf(const Evaluation& e) {
     }
     if (one) {
       s = own;
-      all.covered = result.coverage.share();
+      all.covered = e.uncutArea > 0 ? 1 - (result.coverage.uncovered + e.uncutArea) / (weight + e.uncutArea)
+                                    : result.coverage.share();
       break;
     }
     if (strip.index == 0) s.withinTolerance = 0;  // and the speed ratio is 1 at most

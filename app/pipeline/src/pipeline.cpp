@@ -11,6 +11,7 @@
 #include "block_layout.h"
 #include "block_part.h"
 #include "bw/core/files/fingerprint.h"
+#include "bw/core/parts/cut_order.h"
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/pipeline/lower_block.h"
 #include "bw/pipeline/speed_remedies.h"
@@ -303,7 +304,10 @@ KnownNeighbours joinWorks(std::vector<CutWork>& works, const Evaluation& e) {
 /// blade can follow. True if there are such.
 Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
   if (e.blocks.size() < 2) return false;
-  std::vector<std::string> uncut;
+  std::vector<std::string>& uncut = e.uncut;
+  const auto isUncut = [&uncut](const std::string& block) {
+    return std::ranges::find(uncut, block) != uncut.end();
+  };
   Findings told;
   std::optional<Error> first;
   for (const CutWork& work : works) {
@@ -313,7 +317,7 @@ Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
     if (error.code != ErrorCode::badInput && error.code != ErrorCode::noSolution)
       return tl::unexpected<Error>(inCut(e, work.cut, ok).error());
     if (!first) first = inCut(e, work.cut, ok).error();
-    uncut.push_back(work.cut.block);
+    if (!isUncut(work.cut.block)) uncut.push_back(work.cut.block);
     Place where;
     where.block = work.cut.block;
     for (Finding finding : work.e.sections.findings) {
@@ -322,16 +326,17 @@ Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
     }
     told.push_back({Severity::error, BlockUncut{error.message}, where, {}});
   }
-  const auto isUncut = [&uncut](const std::string& block) {
-    return std::ranges::find(uncut, block) != uncut.end();
-  };
   if (uncut.empty()) return false;
   if (std::ranges::all_of(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); }))
     return tl::unexpected<Error>(*first);
   append(e.missed, told);
   std::vector<CutWork> left;
-  for (const CutWork& work : works)
-    if (!isUncut(work.cut.block)) left.push_back(work);
+  for (const CutWork& work : works) {
+    if (isUncut(work.cut.block))
+      e.uncutArea += areaInBox(*work.e.targetMesh.value, work.e.setup->block).area;
+    else
+      left.push_back(work);
+  }
   works.swap(left);
   std::erase_if(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); });
   return true;

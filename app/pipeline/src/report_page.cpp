@@ -88,6 +88,9 @@ void limits(Page& page, const Evaluation& e) {
              design.process.motionTolerance);
   page.checked("Farthest that the target reaches beyond the cut surface, or lies off it uncut",
                mm(all.uncovered), "at most " + mm(uncoveredLimit), all.uncovered <= uncoveredLimit);
+  if (!e.uncut.empty())
+    page.checked("Blocks that the surface meets and no blade can cut", std::to_string(e.uncut.size()), "none",
+                 false);
   if (e.joints.value && !e.joints.value->joints.empty()) {
     const Joints& joints = *e.joints.value;
     page.checked("Widest gap between neighbouring blocks at their boundary", mm(joints.gapMax()),

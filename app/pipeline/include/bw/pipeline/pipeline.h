@@ -201,7 +201,9 @@ struct Evaluation {
   std::vector<Stage<ToldRequest, std::vector<ToldStretch>>> told;
   Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
   std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);  ///< those that the surface meets
-  Findings missed;                                                        ///< what blocks it does not meet
+  Findings missed;                 ///< what blocks it does not meet, and why others are not cut
+  std::vector<std::string> uncut;  ///< blocks that it meets and that no blade can cut
+  double uncutArea = 0;            ///< mm², of the surfaces in these
   Stage<JointRequest, Joints>
       joints;                     ///< how the cuts of neighbouring blocks meet; only where there are several
   Stage<CellRequest, Cell> cell;  ///< only where the design asks for programs; its findings tell how the
