@@ -12,6 +12,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/firm_row.h"
 #include "bw/core/sweep/live_row.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -232,6 +233,35 @@ TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
     }
     EXPECT_NE(row.fits[i].fit.status, FitStatus::infeasible);
     EXPECT_LT(row.fits[i].fit.hausdorff, 1) << i;
+  }
+}
+
+TEST(RowBounds, EndsAndTangentsAreMetWhereAnArchBecomesAHollow) {
+  // Between both the sections are flat, and no arch of the blade bears its weight.
+  constexpr int kRows = 25;
+  constexpr double kWide = 300, kHigh = 14;
+  const auto sections = test::sectionsOf(kRows, 20, [](int i) {
+    const double up = kHigh * (1 - 2.0 * i / (kRows - 1));
+    return test::graphCurve(kWide, [=](double x) { return up * std::cos(0.5 * kPi * x / kWide); });
+  });
+  const Box foam = test::blockUnder(kWide, 20.0 * (kRows - 1), -kWide, kWide);
+  test::RowSettings settings = test::flatRow(800);
+  settings.fitEndpoints = settings.fitTangents = true;
+  settings.barrier = 1;
+  Findings findings;
+  const Result<Sweep> row = buildSweep(sections, settings, foam,
+                                       PlaneFamily::across(foam, -Eigen::Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(row) << row.error().message;
+  const Result<FirmRow> firm = firmRow(*row, {});
+  ASSERT_TRUE(firm) << firm.error().message;
+  const Sweep& found = firm->row ? *firm->row : *row;
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
+    const StationFit& fit = found.fits[i];
+    EXPECT_NE(fit.fit.status, FitStatus::infeasible) << i;
+    EXPECT_FALSE(fit.snapsAt) << i;
+    EXPECT_LT(fit.fit.hausdorff, settings.tolerance) << i;
+    ASSERT_TRUE(found.poses[i].heavy) << i;
+    EXPECT_GE(marginsOf(*found.poses[i].heavy).inPlane, settings.margin) << i;
   }
 }
 

@@ -47,8 +47,7 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
   if (joined) request.fitEndpoints = request.fitTangents = true;
   if (!joined) request.extend = p.extend;
   request.margin = p.margin;
-  if (!joined && p.extend == Extension::none)
-    request.barrier = kLeastBarrier;  // what goes on in a neighbouring block is not bent any more
+  if (request.extend == Extension::none) request.barrier = kLeastBarrier;
   request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * upAs(lies, cut.pose, p.up.normalized());
   return request;

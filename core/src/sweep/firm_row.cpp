@@ -70,6 +70,34 @@ double higherAt(const Sweep& row, const RowCertainty& certainty, std::size_t i) 
   return least < asked ? std::min(kMore * asked / least, kMostMore) : 1;
 }
 
+using Standing = std::vector<std::optional<Station>>;
+
+/// The stations of a row as they stand; empty on a stop.
+std::optional<Standing> standingIn(const sweep::Row& row) {
+  Standing stations(row.sweep().poses.size());
+  const Result<void> ok = parallelFor(row.context(), int(stations.size()), [&](int k) {
+    std::optional<Station>& station = stations[std::size_t(k)];
+    station = row.following(std::size_t(k));
+    if (station) row.watch(*station);
+  });
+  return ok ? std::optional(std::move(stations)) : std::nullopt;
+}
+
+/// Chooses the grips of all stations together and puts their blades into `next`; false on a stop.
+bool settled(const sweep::Row& row, Standing stations, const Sweep& before, Sweep& next) {
+  sweep::unwrap(stations, row.unit());
+  std::vector<Station*> standing;
+  for (std::optional<Station>& station : stations)
+    if (station && station->good) standing.push_back(&*station);
+  if (standing.empty()) return true;
+  sweep::settle(row, standing);
+  return bool(parallelFor(row.context(), int(standing.size()), [&](int k) {
+    const Station& station = *standing[std::size_t(k)];
+    if (const std::optional<Elastica> light = row.holds(station) ? row.light(station) : std::nullopt)
+      if (!sweep::put(row, station, *light, next)) next.fits[station.index] = before.fits[station.index];
+  }));
+}
+
 /// The row with these barriers bounded.
 Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vector<sweep::Stretch>& weak,
               const RunContext& context) {
@@ -82,25 +110,29 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
       fit.passes = lowOf(before, i, certainty.stations[i]);
     }
   const sweep::Row row(next, context);
-  std::vector<std::optional<Station>> stations(next.poses.size());
-  const Result<void> ok = parallelFor(context, int(stations.size()), [&](int k) {
-    std::optional<Station>& station = stations[std::size_t(k)];
-    station = row.following(std::size_t(k));
-    if (station) row.watch(*station);
-  });
-  if (!ok) return next;
-  sweep::unwrap(stations, row.unit());
-  std::vector<Station*> standing;
-  for (std::optional<Station>& station : stations)
-    if (station && station->good) standing.push_back(&*station);
-  if (standing.empty()) return next;
-  sweep::settle(row, standing);
-  const Result<void> done = parallelFor(context, int(standing.size()), [&](int k) {
-    const Station& station = *standing[std::size_t(k)];
-    if (const std::optional<Elastica> light = row.holds(station) ? row.light(station) : std::nullopt)
-      if (!sweep::put(row, station, *light, next)) next.fits[station.index] = before.fits[station.index];
-  });
-  return done ? next : before;
+  std::optional<Standing> standing = standingIn(row);
+  return standing && settled(row, std::move(*standing), before, next) ? next : before;
+}
+
+/// The row in which those of these stations whose ends and tangents are asked for stand with blades that
+/// these alone hold: where its section is flat, no arch need be pushed through. Empty where there are none.
+std::optional<Sweep> relieved(const Sweep& before, const std::vector<sweep::Stretch>& weak,
+                              const RunContext& context) {
+  const sweep::Row row(before, context);
+  if (!row.demands() || before.request.weight.isZero()) return {};
+  std::optional<Standing> standing = standingIn(row);
+  if (!standing) return {};
+  bool any = false;
+  for (const sweep::Stretch& at : weak)
+    for (std::size_t i = at.first; i <= at.last && !context.stopped(); ++i)
+      if (std::optional<Station> flat = sweep::unforced(row, i);
+          flat && flat->distance() <= kWithin * before.request.tolerance) {
+        (*standing)[i] = std::move(flat);
+        any = true;
+      }
+  Sweep next = before;
+  if (!any || !settled(row, std::move(*standing), before, next)) return {};
+  return next;
 }
 
 /// True if a blade keeps the margins that are asked for.
@@ -136,13 +168,13 @@ Result<FirmRow> firmRow(const Sweep& row, const RunContext& context, Along along
   std::vector<sweep::Stretch> weak = weakOf(row, firm.certainty);
   Sweep last = row;
   RowCertainty known = firm.certainty;
-  for (int round = 0; round < kRounds && !weak.empty(); ++round) {
-    Sweep next = bounded(last, known, weak, context);
+  // False where it comes to nothing.
+  const auto take = [&](Sweep next) -> Result<bool> {
     if (context.stopped()) return stoppedError();
-    if (!sweep::keepsUp(next, row)) break;
-    certainty = certaintyOf(next, context, along);
-    if (!certainty) return tl::unexpected<Error>(certainty.error());
-    known = std::move(*certainty);
+    if (!sweep::keepsUp(next, row)) return false;
+    Result<RowCertainty> own = certaintyOf(next, context, along);
+    if (!own) return tl::unexpected<Error>(own.error());
+    known = std::move(*own);
     const std::vector<sweep::Stretch> left = weakOf(next, known);
     if (countOf(left) < countOf(weakOf(row, firm.certainty))) {
       firm.row = std::make_shared<const Sweep>(next);
@@ -150,6 +182,15 @@ Result<FirmRow> firmRow(const Sweep& row, const RunContext& context, Along along
     }
     last = std::move(next);
     weak = left;
+    return true;
+  };
+  if (!weak.empty())
+    if (std::optional<Sweep> next = relieved(row, weak, context))
+      if (const Result<bool> ok = take(std::move(*next)); !ok) return tl::unexpected<Error>(ok.error());
+  for (int round = 0; round < kRounds && !weak.empty(); ++round) {
+    const Result<bool> goesOn = take(bounded(last, known, weak, context));
+    if (!goesOn) return tl::unexpected<Error>(goesOn.error());
+    if (!*goesOn) break;
   }
   if (firm.row) sweep::addSwingFindings(*firm.row, firm.findings);
   return firm;

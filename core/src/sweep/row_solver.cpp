@@ -27,6 +27,17 @@ void settle(const Row& row, std::vector<Station*> stations, const Station* besid
   RowProblem(row, std::move(stations), beside).solve();
 }
 
+std::optional<Station> unforced(const Row& row, std::size_t i) {
+  constexpr double kFarthest = 3;  // times the tolerance: what falls through lies farther off
+  std::optional<Station> station = row.demands() ? row.unforced(i) : std::nullopt;
+  if (!station) return {};
+  row.watch(*station);
+  settle(row, {&*station});
+  const bool stands = row.holds(*station) && row.meets(*station) &&
+                      station->distance() <= kFarthest * row.sweep().request.tolerance;
+  return stands ? std::move(station) : std::nullopt;
+}
+
 bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
@@ -179,20 +190,48 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   for (std::size_t i = 1; i < n; ++i) carry(i, i - 1);
   for (std::size_t i = n - 1; i > 0; --i) carry(i - 1, i);
   // Where nothing holds up an arch, or what does lies off its section, it may be flat enough for a blade that
-  // is held taut.
+  // is held taut, or by the ends and tangents alone that are asked for.
   bool changed =
       std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before;
+  const double near = kNear * sweep.request.tolerance;
+  constexpr std::array kSound = {true, true, true};
+  const auto sound = [&row](const Station& station) {
+    constexpr double kLacking = 1;  // some mm of a grip's clearance
+    return std::array{row.meets(station), row.isFirm(station),
+                      station.own.segment<2>(kStationClearances).maxCoeff() < kLacking};
+  };
+  const auto better = [&](const Station& one, const std::optional<Station>& other) {
+    if (!other) return true;
+    if (sound(one) != sound(*other)) return sound(one) > sound(*other);
+    return one.distance() < kWorthAJump * other->distance();
+  };
+  // Among all a blade may not have come to what is asked of it.
+  const auto alone = [&row](Station& station) {
+    if (row.meets(station)) return false;
+    Station own = station;
+    sweep::settle(row, {&own});
+    if (!row.holds(own) || !row.meets(own)) return false;
+    station = std::move(own);
+    return true;
+  };
   const bool heavy = !sweep.request.weight.isZero();
   for (std::size_t i = 0; heavy && i < n && !row.context().stopped(); ++i) {
     std::optional<Station>& station = stations.at[i];
-    const bool falls = sweep.fits[i].snapsAt || !sweep.fits[i].unknown.empty();
-    if (station ? station->distance() <= kNear * sweep.request.tolerance : !falls) continue;
-    std::optional<Station> taut = row.straight(i);
-    if (!taut || (station && taut->distance() >= kWorthAJump * station->distance())) continue;
-    station = std::move(taut);
-    changed = true;
+    const StationFit& fit = sweep.fits[i];
+    const bool falls = fit.snapsAt || !fit.unknown.empty() || fit.fit.status == FitStatus::infeasible;
+    if (station ? station->distance() <= near && sound(*station) == kSound : !falls) continue;
+    if (station) changed = alone(*station) || changed;
+    const auto take = [&](std::optional<Station> flat) {
+      if (!flat || !better(*flat, station)) return;
+      station = std::move(flat);
+      changed = true;
+    };
+    take(row.straight(i));
+    take(unforced(row, i));
   }
   if (changed) settle();
+  for (std::optional<Station>& station : stations.at)
+    if (heavy && station && station->good) alone(*station);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/result.h"
@@ -22,6 +24,10 @@ namespace bw::sweep {
 
 /// Chooses the grips of these stations, in the order of the row; those of one alone beside `beside`.
 void settle(const Row& row, std::vector<Station*> stations, const Station* beside = nullptr);
+
+/// The blade that ends and tangents alone hold (`Row::unforced`), where these are asked for; empty where it
+/// is not within the tolerance.
+[[nodiscard]] std::optional<Station> unforced(const Row& row, std::size_t i);
 
 /// Puts a station's blade into the row; false where it is not known how it hangs. `light`: it without weight.
 [[nodiscard]] bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep);

@@ -14,6 +14,7 @@
 
 #include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "sweep/held_blade.h"
 #include "sweep/remedies.h"
@@ -227,6 +228,78 @@ std::optional<Station> Row::straight(std::size_t i) const {
   look(station);
   if (!station.good || station.distance() > sweep_.request.tolerance || !meets(station)) return {};
   return station;
+}
+
+namespace {
+
+/// A clamped beam of small slopes that nothing pushes together or pulls, and that goes on beyond both its
+/// ends: its height over their chord and how steep it is there.
+struct Beam {
+  double chord = 0;       ///< mm
+  double slopes[2] = {};  ///< at its ends
+  double load = 0;        ///< of a mm, over the rigidity, 1/mm³
+  double height(double u) const {
+    const double v = chord - u;
+    return (slopes[0] * u * v * v - slopes[1] * u * u * v) / (chord * chord) + load / 24 * u * u * v * v;
+  }
+  double slope(double u) const {
+    const double v = chord - u;
+    return (slopes[0] * v * (v - 2 * u) - slopes[1] * u * (2 * v - u)) / (chord * chord) +
+           load / 12 * u * v * (v - u);
+  }
+  double length(double from, double to) const {
+    constexpr int kParts = 64;
+    double sum = 0;
+    for (int k = 0; k <= kParts; ++k) {
+      const double weight = k == 0 || k == kParts ? 1 : k % 2 ? 4 : 2;
+      sum += weight * std::hypot(1, slope(from + (to - from) * k / kParts));
+    }
+    return sum * (to - from) / (3 * kParts);
+  }
+  /// Where it is `way` mm farther along itself than at u.
+  double along(double u, double way) const {
+    constexpr int kSteps = 8;
+    double at = u + way;
+    for (int k = 0; k < kSteps; ++k) at += (way - length(u, at)) / std::hypot(1, slope(at));
+    return at;
+  }
+};
+
+}  // namespace
+
+std::optional<Station> Row::unforced(std::size_t i) const {
+  constexpr double kSteep = 0.2;  // slopes: beyond, it is no such beam
+  const Station bare = at(i);
+  const Vector2d from = bare.section.front(), chord = bare.section.back() - from;
+  const Vector2d along = chord.normalized(), across(-along.y(), along.x());
+  const double leans = std::atan2(along.y(), along.x());
+  Beam beam{chord.norm()};
+  for (std::size_t end = 0; end < 2; ++end)
+    beam.slopes[end] = std::tan(std::remainder(bare.sectionAngles[end] - leans, 2 * kPi));
+  beam.load =
+      share_ * weightIn(sweep_, bare.pose->frame).dot(across) / sweep_.request.blade.flexuralRigidity();
+  const double lead = 0.5 * (length_ - beam.length(0, beam.chord));
+  if (!(lead > 0)) return {};
+  const double ends[] = {beam.along(0, bare.aside - lead), beam.along(beam.chord, bare.aside + lead)};
+  if (!std::ranges::all_of(ends, [&](double u) { return std::abs(beam.slope(u)) < kSteep; })) return {};
+  const auto place = [&](double u) -> Vector2d { return from + u * along + beam.height(u) * across; };
+  const auto angle = [&](double u) { return leans + std::atan(beam.slope(u)); };
+  const Result<ClampedAnswer> shapes =
+      solveAllClamped({place(ends[0]), place(ends[1]), angle(ends[0]), angle(ends[1]), length_});
+  if (!shapes) return {};
+  std::optional<Station> found;
+  for (const ClampedSolution& shape : shapes->solutions) {
+    if (!shape.stable || shape.selfIntersects) continue;
+    Station station = bare;
+    const Elastica::State middle = shape.elastica.at(0.5 * length_);
+    Vector6::Map(station.numbers) << middle.point, middle.angle * unit_, middle.curvature * unit_ * unit_,
+        shape.elastica.force() * std::pow(unit_, 3);
+    for (std::size_t k = 0; k < kStationPlaces; ++k)
+      station.feet[k] = lead - bare.aside + (length_ - 2 * lead) * double(k) / (kStationPlaces - 1);
+    look(station);
+    if (station.good && (!found || station.distance() < found->distance())) found = std::move(station);
+  }
+  return found;
 }
 
 void Row::weigh(Station& station) const {

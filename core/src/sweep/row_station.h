@@ -104,6 +104,11 @@ class Row {
   /// A station whose blade is held taut, straight along its section; empty where the section lies farther
   /// from that than the tolerance, or more is asked of it.
   std::optional<Station> straight(std::size_t i) const;
+  /// A station whose blade goes through both ends of its section along its tangents there with nothing that
+  /// pushes it together or pulls: the cubic between them, which sags. Where the section is flat it has
+  /// nowhere to go, though a blade that arches as the section does falls through. Of the light shapes from
+  /// which the weight leads there the nearest; empty where there is none.
+  std::optional<Station> unforced(std::size_t i) const;
   /// Has a station of a row with another share of the weight take on that of this one.
   void weigh(Station& station) const;
   /// The same, to be followed from there, with the bounds that were felt; its blade may bend or rest as it
