@@ -420,6 +420,30 @@ TEST(Wall, ABlockThatCannotBeCutLeavesTheOthers) {
   EXPECT_NE(alone.error->message.find("none of the 9 planes"), std::string::npos) << alone.error->message;
 }
 
+TEST(Wall, IsCutObliquelyWithJointsThatAreMeasured) {
+  Design design = wall();
+  design.variables.clear();
+  design.grid = BlockGrid{};
+  design.grid->sizes = {{std::vector<double>{600, 500}, {800}, {500}}};
+  design.grid->gaps = {{std::vector<double>{0}, {}, {}}};
+  design.stock = stockOf(*design.grid);
+  design.sources.front().surface =
+      DesignedSurface{FormulaSurface{{{-20, -20}, {1120, 820}}, "250+30*sin(pi*x/1200)+15*cos(2*pi*y/1400)"}};
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  cut.direction = Eigen::Vector3d(0.3, 1, 0);
+  cut.sections.stations = 21;
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  design.blade.length = 1000;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Joints& joints = *outcome.evaluation.joints.value;
+  ASSERT_EQ(joints.joints.size(), 1u);
+  EXPECT_GT(joints.joints.front().places, 40);
+  EXPECT_EQ(joints.joints.front().open, 0);
+  EXPECT_LT(joints.gapMax(), 0.1);
+}
+
 TEST(Wall, OfMoreBlocksThanAreEvaluatedIsRefusedAtOnce) {
   Design design = wall();
   design.grid->sizes = {{std::vector<double>(50, 36), std::vector<double>(50, 16), {500}}};

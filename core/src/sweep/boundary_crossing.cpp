@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bw/core/sweep/block_pieces.h"
+#include "bw/core/sweep/oblique_planes.h"
 
 namespace bw::sweep {
 
@@ -333,6 +334,17 @@ std::vector<Through> through(const BladePose& pose, const RowBoundary& at) {
   if (!line) return places;
   for (const double end : {pose.before, pose.before + pose.cut.length()})
     if (const std::optional<Through> place = through(pose, at, *line, end)) places.push_back(*place);
+  // Sections in planes that meet their block obliquely go on beyond it: they come through before they end.
+  const Sweep& row = at.sweep;
+  if (row.planes.turns() || !areOblique(row.planes, row.block)) return places;
+  const double apart = 2 * at.reach();
+  for (const double arc : ownCrossings(pose, at.boundary)) {
+    const auto known = [&](const Through& place) { return std::abs(place.arc - arc) < apart; };
+    if (std::ranges::any_of(places, known)) continue;
+    const Elastica::State state = stateAt(pose, arc);
+    places.push_back({pose.frame.toWorld(state.point),
+                      pose.frame.directionToWorld({std::cos(state.angle), std::sin(state.angle)}), arc});
+  }
   return places;
 }
 
