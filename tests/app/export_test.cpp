@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Exports: ordered at any time, of which result they are, and whose they are.
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTimer>
+
 #include "../drawings/pdf_text.h"
 #include "controls/numbers.h"
 #include "window_fixture.h"
@@ -345,6 +349,32 @@ TEST_F(Exports, WriteTheBlocksThatAreChosenAndTellHowEachStands) {
   EXPECT_EQ(standingOf(bench(), bench().block().id).word, "out of date");
   ASSERT_TRUE(settle());
   EXPECT_NE(standingOf(bench(), bench().block().id).word, "certain");
+}
+
+using FolderForFiles = WindowTest;
+
+TEST_F(FolderForFiles, IsMadeWhereANewOneIsTyped) {
+  const fs::path made = path("ripple");
+  ASSERT_FALSE(fs::exists(made));
+  int asked = 0;
+  QTimer typing;
+  QObject::connect(&typing, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog || asked > 0) return;
+    ++asked;
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    if (!name) return dialog->reject();
+    name->setFocus();
+    name->setText(QString::fromStdString(made.string()));
+    QTest::keyClick(name, Qt::Key_Return);
+    // It would wait for us with another question.
+    QTimer::singleShot(2000, dialog, &QDialog::reject);
+  });
+  typing.start(20);
+  const QString folder = window().questions().exportFolder();
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(fs::path(folder.toStdString()), made);
+  EXPECT_TRUE(fs::is_directory(made));
 }
 
 }  // namespace

@@ -37,10 +37,8 @@ class HandlePlaneTest : public HandlesTest {
     const SectionGrips grips = section().grips();
     auto grip = std::ranges::find(grips.grips, kPoint, &SectionGrips::Grip::handle);
     if (grip == grips.grips.end()) return {};
-    const Frame& plane = bench().row()->poses[std::size_t(bench().selection().station)].frame;
     SectionGrips::Grip moved = *grip;
-    moved.place += by.x() * Eigen::Vector2d(plane.x.x(), plane.y.x()) +
-                   by.y() * Eigen::Vector2d(plane.x.z(), plane.y.z());
+    moved.place += by;  // x runs to the right, as seen from the front
     return section().placeOf(moved).toPoint();
   }
   void moveTo(QWidget& in, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
@@ -74,7 +72,7 @@ TEST_F(HandlePlaneTest, TheSectionPullsAPointAcrossAndUp) {
   EXPECT_LT(point().x(), was.x() - 20);
   EXPECT_EQ(point().x(), std::round(point().x())) << "whole mm";
   EXPECT_EQ(point().y(), was.y()) << "nearly across is across";
-  EXPECT_TRUE(told("across (−")) << handles().text;
+  EXPECT_TRUE(told(", across 1") && told(" mm (−")) << handles().text;
   // The way that is free leads across, and is known ever farther.
   const auto ways = [&] { return section().grips().ways; };
   ASSERT_TRUE(QTest::qWaitFor(
@@ -85,7 +83,7 @@ TEST_F(HandlePlaneTest, TheSectionPullsAPointAcrossAndUp) {
   EXPECT_LT(point().x(), was.x() - 5);
   EXPECT_GT(point().y(), was.y() + 5);
   EXPECT_TRUE(told(" (+")) << handles().text;
-  EXPECT_TRUE(told("across (−")) << handles().text;
+  EXPECT_TRUE(told(", across 1") && told(" mm (−")) << handles().text;
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return !ways().empty() && std::abs(ways()[0].from.y() - ways()[0].to.y()) > 1; }, kPatience))
       << "now it is the way that it was pulled";
@@ -186,7 +184,7 @@ TEST_F(HandlePlaneTest, ThePictureDoesWhereItLooksAlongTheTravel) {
   moveTo(view(), to);
   EXPECT_LT(point().x(), was.x() - 5);
   EXPECT_GT(point().y(), was.y() + 5);
-  EXPECT_TRUE(told("across (−")) << handles().text;
+  EXPECT_TRUE(told(", across 1") && told(" mm (−")) << handles().text;
   ASSERT_TRUE(QTest::qWaitFor([&] { return !handles().ways.empty(); }, kPatience));
   picture("handle-in-plane");
   QTest::keyClick(&view(), Qt::Key_Escape);

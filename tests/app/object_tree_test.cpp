@@ -290,6 +290,25 @@ TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {
   EXPECT_EQ(type("470"), "450");
   EXPECT_EQ(bench().block().placement->size.z(), 450);
   EXPECT_TRUE(window().banner().text().startsWith("Locked: block stays"));
+  // It holds its cuts, and a cut its surface.
+  bench().setLocked({Kind::surface, "surface"}, false);
+  const auto raise = [this] {
+    bench().editDesign("Raise", [](Design& design) {
+      std::get<PolesSurface>(design.source().surface->shape).poles.front().height += 5;
+    });
+    return std::get<PolesSurface>(bench().design().source().surface->shape).poles.front().height;
+  };
+  const double height = std::get<PolesSurface>(bench().design().source().surface->shape).poles.front().height;
+  EXPECT_EQ(raise(), height);
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: block stays"));
+  bench().setLocked({Kind::block, "block"}, false);
+  const std::string cut = bench().design().cut().id;
+  bench().setLocked({Kind::cut, cut}, true);
+  EXPECT_EQ(raise(), height);
+  EXPECT_TRUE(window().banner().text().startsWith(QString::fromStdString("Locked: " + cut + " stays")));
+  bench().setLocked({Kind::cut, cut}, false);
+  EXPECT_EQ(raise(), height + 5);
+  bench().setLocked({Kind::block, "block"}, true);
   // Unlocked it is changed, and the notice goes.
   tree().setFocus();
   QTest::keyClick(&tree(), Qt::Key_L);

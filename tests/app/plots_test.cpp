@@ -100,6 +100,7 @@ TEST_F(WindowTest, SectionTellsTheDeviationAsItIsHoweverLargeItIsDrawn) {
   SectionView& section = window().sectionView();
   window().tabs().setCurrentWidget(&section);
   const PlanarCurve& target = bench().sweep()->sweep.fits[7].target;
+  const ShownPlane plane(bench().sweep()->sweep.poses[7].frame);
   auto* factor = find<ChoiceField>("Deviation drawn");
   ASSERT_TRUE(factor);
   for (const auto& [index, times] : {std::pair(0, 1), std::pair(1, 5), std::pair(2, 20)}) {
@@ -108,7 +109,7 @@ TEST_F(WindowTest, SectionTellsTheDeviationAsItIsHoweverLargeItIsDrawn) {
     moveTo(section, {section.sectionArea().center().x(), section.sectionArea().top() + 10});
     ASSERT_EQ(section.readout().size(), 2);
     const QStringList place = section.readout()[0].chopped(3).replace(QChar(0x2212), '-').split(", ");
-    const Eigen::Vector2d at(place[0].toDouble(), place[1].toDouble());
+    const Eigen::Vector2d at = plane.inPlane({place[0].toDouble(), place[1].toDouble()});
     const double drawn = (at - target.value(target.nearestParameter(at))).norm();
     ASSERT_GT(drawn, 1);
     EXPECT_NEAR(section.readout()[1].section(' ', 0, 0).toDouble(), drawn / times, 0.02 * drawn / times);

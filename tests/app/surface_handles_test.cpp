@@ -237,6 +237,41 @@ TEST_F(SurfaceHandlesTest, AHandleLetGoOfBeforeItsBorderIsKnownGoesBackToIt) {
   EXPECT_EQ(bench().document().undoStack().count(), 2) << "the key moves on its own";
 }
 
+TEST_F(SurfaceHandlesTest, AHandleThatWentBackNeverLeapsToWhereTheHandWas) {
+  open("three-block-wall");
+  constexpr std::size_t kSection = 1, kPlace = 2;
+  const auto up = [this] {
+    return std::get<SectionsSurface>(bench().design().source().surface->shape)
+        .sections[kSection]
+        .points[kPlace]
+        .y();
+  };
+  const int handle = 4 * int(kSection) + int(kPlace);
+  const double from = up();
+  const QPoint place = at(handle);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, place);
+  QTest::mouseMove(&view(), place - QPoint(0, 60));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, place - QPoint(0, 60));
+  const double thrown = up();
+  ASSERT_GT(thrown, from + 60);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return up() < thrown; }, kPatience));
+  double highest = 0;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        highest = std::max(highest, up());
+        return window().statusBar()->currentMessage().contains(" went back: ");
+      },
+      kPatience));
+  EXPECT_LT(highest, thrown);
+  EXPECT_GE(up(), from);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  // Where it came to rest nothing is lost, at the stations or between them.
+  for (const Finding& finding : bench().shown()->findings()) {
+    EXPECT_TRUE(finding.severity != Severity::error) << words::sentence(finding, words::Reader::window);
+  }
+}
+
 TEST_F(SurfaceHandlesTest, SeveralStopWhereTheirCommonWayEnds) {
   open("single-block");
   const int other = 3 * 4 + 2;

@@ -297,6 +297,11 @@ void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthe
 
 void EvaluationRunner::endReach() { seekReach({}, 0); }
 
+void EvaluationRunner::preferReach(bool above) {
+  const std::lock_guard lock(mutex_);
+  reachAbove_ = above;
+}
+
 void EvaluationRunner::takeSearch() {
   if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
   search_.reset();
@@ -325,6 +330,7 @@ bool EvaluationRunner::confirmBorder(const std::stop_token& end) {
     running_ = std::stop_source();
     context.stop = running_.get_token();
     secondThoughts_ = true;  // whatever is asked for comes first
+    search_->prefer(reachAbove_);
   }
   seek([&] { search_->confirm(context); });
   const std::lock_guard lock(mutex_);

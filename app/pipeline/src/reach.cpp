@@ -4,6 +4,7 @@
 #include "bw/pipeline/reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,16 @@ bool Reach::knows(double by) const {
 }
 
 namespace {
+
+/// True if an evaluation tells, of stations or of what lies between them, that a blade would not keep its
+/// shape.
+bool losesShape(const Evaluation& evaluation) {
+  return std::ranges::any_of(evaluation.findings(), [](const Finding& finding) {
+    constexpr std::array kinds = {FindingKind::fit,    FindingKind::stability, FindingKind::outOfPlane,
+                                  FindingKind::weight, FindingKind::certainty, FindingKind::motion};
+    return finding.severity == Severity::error && std::ranges::find(kinds, finding.kind()) != kinds.end();
+  });
+}
 
 /// True if the blades of an evaluation leave the surface at their stations or between them.
 bool leavesSurface(const Evaluation& evaluation) {
@@ -113,12 +124,13 @@ bool ReachSearch::look(const RunContext& context) {
 }
 
 bool ReachSearch::confirm(const RunContext& context) {
-  const std::size_t i = unsure(0) ? 0 : 1;
+  const std::size_t i = unsure(first_) ? first_ : 1 - first_;
   if (!unsure(i)) return false;
   Side& side = sides_[i];
   Reach::End& end = reach_.ends[i];
-  const double by = side.proved ? 0.5 * (std::abs(end.free) + side.barred) : side.barred;
-  const Design design = at_(i == 0 ? -by : by);
+  const double sign = i == 0 ? -1 : 1, free = std::abs(end.free);
+  const double by = !side.proved ? side.barred : side.sure < free ? free : 0.5 * (free + side.barred);
+  const Design design = at_(sign * by);
   Outcome outcome = evaluate(design, from_.get(), context);
   Bar bar = Bar::noBlade;
   if (outcome.evaluation.complete()) {
@@ -126,21 +138,28 @@ bool ReachSearch::confirm(const RunContext& context) {
     const auto evaluation = std::make_shared<const Evaluation>(std::move(outcome.evaluation));
     if (const std::optional<Sketch> sketch = Sketcher(evaluation).draw(design, context)) bar = barOf(*sketch);
     if (bar == Bar::none && leavesSurface(*evaluation)) bar = Bar::tooFar;
+    if (bar == Bar::none && losesShape(*evaluation) && !losesShape(*from_)) bar = Bar::lost;
   }
   if (context.stopped()) return true;
   if (bar != Bar::none) {
     end.bar = bar;
     side.barred = by;
     side.proved = true;
+    // Where sketches saw it free it is not; it may be a little before that.
+    if (by <= free) end.free = sign * std::max(side.sure, by - std::exchange(side.back, 2 * side.back));
   } else {
-    end.free = i == 0 ? -by : by;
+    end.free = sign * std::max(free, by);
+    side.sure = std::max(side.sure, by);
     if (!side.proved) {
       end.bar = Bar::none;
       end.known = by >= farthest_;
       side.barred = std::min(farthest_, by + std::exchange(side.step, 2 * side.step));
     }
   }
-  if (side.proved) end.known = side.barred - std::abs(end.free) <= kWithin;
+  if (side.proved) {
+    const double found = std::abs(end.free);
+    end.known = side.sure >= found && side.barred - found <= std::max(kWithin, kWithinShare * found);
+  }
   return true;
 }
 

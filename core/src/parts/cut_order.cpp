@@ -109,7 +109,8 @@ Result<int> sideKept(const TriangleMesh& mesh, SurfaceSampler& surface, const Ve
     return fail(ErrorCode::badInput,
                 "the surface stands upright on the whole, so that no foam lies on the side that is to stay "
                 "(its mean normal leans that way by " +
-                    shortText(std::abs(lean)) + ", at least " + shortText(kLeastLean) +
+                    shortText(std::round(1e3 * std::abs(lean)) / 1e3) + ", at least " +
+                    shortText(kLeastLean) +
                     " is needed); tell the side by keep: below, above, left, right, front or back",
                 "keep", std::abs(lean), kLeastLean);
   return (lean > 0) == (agrees > 0) ? 1 : -1;

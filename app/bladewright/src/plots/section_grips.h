@@ -16,7 +16,8 @@ class QPainter;
 
 namespace bw::app {
 
-/// What of the surface a hand may take hold of in the plane of a station, mm in that plane.
+/// What of the surface a hand may take hold of in the plane of a station, mm in that plane, or as it is
+/// shown.
 struct SectionGrips {
   struct Grip {
     int handle = -1;

@@ -53,8 +53,8 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
   else if (const int handle = gripAt(grips(), frame(), event->position());
            handle >= 0 && sectionArea().contains(event->position())) {
     const SectionFrame seen = frame();
-    hold_ =
-        Hold{seen, seen.toPlane(event->position()), bench_.row()->poses[std::size_t(drawing_.station)].frame};
+    hold_ = Hold{seen, seen.toPlane(event->position()),
+                 bench_.row()->poses[std::size_t(drawing_.station)].frame, drawing_.plane};
     cursor_ = event->position();
     emit gripPressed(handle, event->modifiers());
     update();
@@ -83,7 +83,8 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
   if (hold_) {
     const QPointF by = hold_->seen.toPlane(cursor_) - hold_->from;
-    emit gripMoved(hold_->plane, {by.x(), by.y()}, 1 / hold_->seen.scale, event->modifiers());
+    emit gripMoved(hold_->plane, {hold_->shown.turn * by.x(), by.y()}, 1 / hold_->seen.scale,
+                   event->modifiers());
     return update();
   }
   if (!grabbed_.isNull() && drawing_.station >= 0) {

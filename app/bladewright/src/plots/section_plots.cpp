@@ -17,12 +17,10 @@ namespace {
 
 constexpr int kSamples = 241;
 
-QPointF toPoint(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
-
-QPolygonF toPolygon(const std::vector<Eigen::Vector2d>& points) {
+QPolygonF shownIn(const ShownPlane& plane, const std::vector<Eigen::Vector2d>& points) {
   QPolygonF polygon;
   polygon.reserve(qsizetype(points.size()));
-  for (const Eigen::Vector2d& p : points) polygon << toPoint(p);
+  for (const Eigen::Vector2d& p : points) polygon << plane.shown(p);
   return polygon;
 }
 
@@ -46,6 +44,15 @@ QString tr(const char* text) { return QCoreApplication::translate("bw::app::Sect
 
 }  // namespace
 
+ShownPlane::ShownPlane(const Frame& plane) {
+  constexpr double kAlong = 1e-9;
+  Eigen::Index axis = 0;
+  plane.x.cwiseAbs().maxCoeff(&axis);
+  turn = plane.x(axis) < 0 ? -1 : 1;
+  if (1 - std::abs(plane.x(axis)) < kAlong) shift.x() = plane.origin(axis);
+  if (1 - plane.y.z() < kAlong) shift.y() = plane.origin.z();
+}
+
 SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, int index,
                                   double exaggeration) {
   SectionDrawing drawing;
@@ -54,42 +61,44 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, in
   const BladePose& station = stations[std::size_t(index)];
   const PlanarCurve& target = sweep.fits[std::size_t(index)].target;
   drawing.station = index;
-  drawing.target = toPolygon(target.sample(kSamples));
+  const ShownPlane& plane = drawing.plane = ShownPlane(station.frame);
+  drawing.target = shownIn(plane, target.sample(kSamples));
   if (const auto& extended = sweep.fits[std::size_t(index)].extended)
-    drawing.extended = toPolygon(extended->poles());
-  drawing.elastica = toPolygon(inPlane(station, station.cutArcs(kSamples)));
+    drawing.extended = shownIn(plane, extended->poles());
+  std::vector<Eigen::Vector2d> elastica = inPlane(station, station.cutArcs(kSamples));
+  if (exaggeration != 1) {
+    for (Eigen::Vector2d& q : elastica) {
+      const Eigen::Vector2d foot = target.value(target.nearestParameter(q));
+      q = foot + exaggeration * (q - foot);
+    }
+  }
+  drawing.elastica = shownIn(plane, elastica);
   // The same frame axes for all stations: neighbours are drawn as they lie in the plane of this one.
   const auto neighbour = [&](int i) {
     QPolygonF polygon;
     if (i < 0 || std::size_t(i) >= stations.size()) return polygon;
     const BladePose& beside = stations[std::size_t(i)];
     for (const Eigen::Vector3d& p : beside.cutPoints(65))
-      polygon << toPoint(station.frame.toLocal(p).head<2>());
+      polygon << plane.shown(station.frame.toLocal(p).head<2>());
     return polygon;
   };
   drawing.before = neighbour(index - 1);
   drawing.after = neighbour(index + 1);
-  drawing.foam = toPolygon(boxInPlane(sweep.block, station.frame));
-  if (other)
-    for (const Eigen::Vector2d& place : other->places) drawing.other << toPoint(place);
-  if (exaggeration != 1) {
-    for (QPointF& p : drawing.elastica) {
-      const Eigen::Vector2d q(p.x(), p.y());
-      const Eigen::Vector2d foot = target.value(target.nearestParameter(q));
-      p = toPoint(foot + exaggeration * (q - foot));
-    }
-  }
+  drawing.foam = shownIn(plane, boxInPlane(sweep.block, station.frame));
+  if (other) drawing.other = shownIn(plane, other->places);
   const double length = station.blade.length();
   std::vector<double> arcs(kSamples);
   std::vector<Elastica::State> states(kSamples);
   for (int i = 0; i < kSamples; ++i) arcs[std::size_t(i)] = length * i / (kSamples - 1);
   station.at(arcs, states);
+  if (plane.mirrored()) std::ranges::reverse(states);
   for (int i = 0; i < kSamples; ++i) {
-    drawing.blade << toPoint(states[std::size_t(i)].point);
+    drawing.blade << plane.shown(states[std::size_t(i)].point);
+    // Seen from the other side it bends as before: it is mirrored, and run along the other way.
     drawing.curvature << QPointF(arcs[std::size_t(i)], states[std::size_t(i)].curvature);
   }
-  drawing.cutFrom = station.before;
-  drawing.cutTo = length - station.after();
+  drawing.cutFrom = plane.mirrored() ? station.after() : station.before;
+  drawing.cutTo = length - (plane.mirrored() ? station.before : station.after());
   drawing.bounds = boundsOf({&drawing.target, &drawing.elastica, &drawing.blade, &drawing.foam});
   return drawing;
 }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <QPolygonF>
 #include <QRectF>
 #include <QTransform>
 
+#include "bw/core/base/frame.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/sweep.h"
 #include "controls/theme.h"
@@ -15,16 +18,30 @@ class QPainter;
 
 namespace bw::app {
 
-/// The curves of one station in the coordinates of its plane, mm.
+/// The coordinates in which the plane of a station is shown: as the design is seen from its front or its
+/// side, its x (or y) runs to the right, whichever way the plane's own does.
+struct ShownPlane {
+  ShownPlane() = default;
+  explicit ShownPlane(const Frame& plane);
+  bool mirrored() const { return turn < 0; }
+  QPointF shown(const Eigen::Vector2d& p) const { return {turn * p.x() + shift.x(), p.y() + shift.y()}; }
+  Eigen::Vector2d inPlane(const QPointF& p) const { return {turn * (p.x() - shift.x()), p.y() - shift.y()}; }
+  double turn = 1;                                  ///< −1: the plane's own axis runs to the left
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< mm; with it the numbers are those of the design,
+                                                    ///< along axes of its
+};
+
+/// The curves of one station in its plane as that is shown, mm.
 struct SectionDrawing {
   int station = -1;  ///< position in the sweep; −1: nothing to draw
+  ShownPlane plane;
   QPolygonF target, elastica, blade;
   QPolygonF extended;             ///< the target as it is extended to both grips; empty if it is not
   QPolygonF before, after;        ///< the neighbours' elastica, as they lie in this plane
   QPolygonF other;                ///< another shape in which the blade could rest; empty if none is known
   QPolygonF foam;                 ///< the block's outline
-  QPolygonF curvature;            ///< arc length (mm, 0 at the left grip), 1/mm
-  double cutFrom = 0, cutTo = 0;  ///< the part of the blade that cuts, as arc length
+  QPolygonF curvature;            ///< arc length (mm, 0 at the grip that is shown first), 1/mm
+  double cutFrom = 0, cutTo = 0;  ///< the part of the blade that cuts, as that arc length
   QRectF bounds;
 };
 

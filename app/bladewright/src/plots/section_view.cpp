@@ -118,7 +118,17 @@ SectionGrips SectionView::grips() const {
   for (const std::size_t beside : {index - 1, index + 1})
     if (beside < row->poses.size())
       reach = std::max(reach, 0.5 * std::abs(plane.toLocal(row->poses[beside].frame.origin).z()));
-  return findGrips_(plane, reach);
+  SectionGrips found = findGrips_(plane, reach);
+  const auto show = [this](Eigen::Vector2d& place) {
+    const QPointF shown = drawing_.plane.shown(place);
+    place = {shown.x(), shown.y()};
+  };
+  for (SectionGrips::Grip& grip : found.grips) show(grip.place);
+  for (SectionGrips::Way& way : found.ways)
+    for (Eigen::Vector2d* end : {&way.from, &way.to}) show(*end);
+  for (SectionGrips::Meeting& meeting : found.meetings)
+    for (Eigen::Vector2d* place : {&meeting.at, &meeting.from, &meeting.to}) show(*place);
+  return found;
 }
 
 QPointF SectionView::placeOf(const SectionGrips::Grip& grip) const {
@@ -133,7 +143,7 @@ QStringList SectionView::readout() const {
     const int decimals = frame().scale > 20 ? 2 : 1;
     QStringList lines = {tr("%1, %2 mm").arg(axisText(p.x(), decimals), axisText(p.y(), decimals))};
     const PlanarCurve& target = bench_.row()->fits[std::size_t(drawing_.station)].target;
-    const Eigen::Vector2d at(p.x(), p.y());
+    const Eigen::Vector2d at = drawing_.plane.inPlane(p);
     const Eigen::Vector2d foot = target.value(target.nearestParameter(at));
     lines << tr("%1 from the target").arg(lengthText((at - foot).norm() / exaggeration_));
     return lines;
@@ -142,7 +152,9 @@ QStringList SectionView::readout() const {
     const QRectF area = curvatureArea();
     const double arc = along_.low + along_.span() * (cursor_.x() - area.left()) / area.width();
     Elastica::State state;
-    bench_.row()->poses[std::size_t(drawing_.station)].at({&arc, 1}, {&state, 1});
+    const BladePose& pose = bench_.row()->poses[std::size_t(drawing_.station)];
+    const double own = drawing_.plane.mirrored() ? pose.blade.length() - arc : arc;
+    pose.at({&own, 1}, {&state, 1});
     const double curvature = state.curvature;
     return {
         tr("%1 along the blade").arg(lengthText(arc)),

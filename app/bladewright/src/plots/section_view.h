@@ -101,8 +101,9 @@ class SectionView : public QWidget {
   /// The grip that is held, and the plane as it was when it was taken hold of.
   struct Hold {
     SectionFrame seen;
-    QPointF from;  ///< mm in the plane, where the hand was
+    QPointF from;  ///< mm in the plane as it is shown, where the hand was
     Frame plane;
+    ShownPlane shown;
   };
   FindGrips findGrips_;
   std::optional<Hold> hold_;

@@ -359,7 +359,11 @@ std::string SurfaceHandles::pullText() const {
   };
   QString text;
   if (pull_->along.y() != 0) text = " (" + number(changed(HandleNumber::height)) + ")";
-  if (pull_->along.x() != 0) text += tr(", across (%1)").arg(number(changed(HandleNumber::across)));
+  if (pull_->along.x() != 0)
+    text += tr(", across %1 mm (%2)")
+                .arg(QString::fromStdString(
+                         shortText(*numberOf(*surfaceOf(bench_), pull_->handle, HandleNumber::across), 5)),
+                     number(changed(HandleNumber::across)));
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   if (reach && reach->now != pipeline::Bar::none) {
     text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
@@ -585,10 +589,18 @@ void SurfaceHandles::endPull() {
 
 void SurfaceHandles::keepWithin() {
   if (!pull_) return;
+  bench_.runner().preferReach(pull_->wished >= 0);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   const WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
   QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
   double by = may.by;
+  pull_->wentBack = pull_->letGoAt && (pull_->wentBack || may.stoppedBy);
+  if (pull_->wentBack && reach && std::abs(by) > std::abs(pull_->by) && !reach->knows(pull_->wished)) {
+    // What sketches barred is looked at once more. Until that is sure it stays, and does not leap to the
+    // hand.
+    by = pull_->by;
+    why = pull_->stoppedBy;
+  }
   if (const double ordered = orderedBy(by); ordered != by) {
     by = lastBefore(ordered, pulledFrom(), pull_->step);
     why = tr("a point may not overtake its neighbour");

@@ -128,6 +128,7 @@ class SurfaceHandles : public QObject {
     Eigen::Vector2d began = {0, 0};        ///< mm across and up, where the hand took hold
     double by = 0;                         ///< mm that it moved since
     std::optional<double> letGoAt = {};    ///< that, before it was known whether it may stay there
+    bool wentBack = false;                 ///< since then
     int mergeId = -1;
     bool moved = false;
     double wished = 0;                             ///< mm, where the hand is

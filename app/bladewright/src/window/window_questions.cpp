@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -80,6 +81,22 @@ struct NumbersQuestion {
   FormColumn* column;
 };
 
+/// A question for a folder; one that is typed and not there yet is made, if what it lies in is there. Without
+/// a meta-object of its own, so that the desktop may show its own dialog in its place.
+class FolderQuestion : public QFileDialog {
+ public:
+  using QFileDialog::QFileDialog;
+
+  void accept() override {
+    // Qt's own dialog says of such a name that there is nothing.
+    const auto* typed = findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    const QString name = typed && typed->isVisible() ? typed->text().trimmed() : QString();
+    if (!name.isEmpty() && !name.startsWith('~') && !QFileInfo::exists(directory().absoluteFilePath(name)))
+      directory().mkdir(name);
+    QFileDialog::accept();
+  }
+};
+
 constexpr QSize kThumbnail(480, 300);
 constexpr QSize kDialogSize(760, 420);
 constexpr double kThinnestPanel = 0.1;  // mm
@@ -117,8 +134,11 @@ void MainWindow::setDefaultQuestions() {
     return remember("export", completed(file, ".png"));
   };
   questions_.exportFolder = [=, this] {
-    return remember("export", QFileDialog::getExistingDirectory(this, tr("Folder for the files"),
-                                                                settings_.folder("export")));
+    FolderQuestion question(this, tr("Folder for the files"), settings_.folder("export"));
+    question.setFileMode(QFileDialog::Directory);
+    question.setOption(QFileDialog::ShowDirsOnly);
+    if (question.exec() != QDialog::Accepted || question.selectedFiles().isEmpty()) return QString();
+    return remember("export", question.selectedFiles().front());
   };
   questions_.showFolder = [](const QString& folder) {
     QDesktopServices::openUrl(QUrl::fromLocalFile(folder));

@@ -271,9 +271,11 @@ void MainWindow::tellHovered(const scene::Pick& pick, const view::SceneView& vie
   QString text;
   const Field* field = mappedField(view);
   if (pick.value && field) {
-    const char* word = mapWord(field->name, *pick.value);
+    constexpr double kNothing = 5e-4;  // of any of these units
+    const double value = std::abs(*pick.value) < kNothing ? 0 : *pick.value;
+    const char* word = mapWord(field->name, value);
     text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +
-           QString::fromStdString(word ? word : shortText(*pick.value, 3));
+           QString::fromStdString(word ? word : shortText(value, 3));
     if (!field->unit.empty()) text += (field->unit == "°" ? "" : " ") + QString::fromStdString(field->unit);
   }
   probe_->setText(text);

@@ -330,6 +330,23 @@ void MainWindow::refreshState() {
   refreshSummary();
 }
 
+namespace {
+
+/// What the summary is of, where a design has several cuts: "column-2: ". One of a block goes by its block.
+QString whoseSummary(const Workbench& bench) {
+  const auto shown = bench.shown();
+  const pipeline::CutEvaluation* cut = bench.shownCut();
+  if (!shown || !cut) return {};
+  for (const pipeline::BlockEvaluation& block : shown->blocks) {
+    if (std::ranges::find(block.cuts, cut->id, &pipeline::CutEvaluation::id) == block.cuts.end()) continue;
+    if (block.cuts.size() > 1) return QString::fromStdString(cut->id) + ": ";
+    if (shown->blocks.size() > 1) return QString::fromStdString(block.id) + ": ";
+  }
+  return {};
+}
+
+}  // namespace
+
 void MainWindow::summarise(const pipeline::CutSketch& sketch) {
   const RowSketch& look = *sketch.look;
   const Blade& blade = sketch.sweep->request.blade;
@@ -340,7 +357,7 @@ void MainWindow::summarise(const pipeline::CutSketch& sketch) {
   const QString radius = radiusText(look.minRadius);
   std::vector<SummaryLine::Part> parts = {
       {tr("Unit mm")},
-      {tr("deviation at stations ≤ %1").arg(lengthText(look.deviationMax)), 4,
+      {whoseSummary(bench_) + tr("deviation at stations ≤ %1").arg(lengthText(look.deviationMax)), 4,
        look.deviationMax > bench_.design().process.tolerance},
       {radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade"), 2,
        look.minRadius > 0 && look.minRadius < blade.minRadius()}};
@@ -376,8 +393,9 @@ void MainWindow::refreshSummary() {
   const SweepLimits broken = brokenLimits(*result, bench_.shown()->design);
   summary_->setParts(
       {{tr("Unit mm")},
-       {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))), 4,
-        broken.deviation || broken.between},
+       {whoseSummary(bench_) +
+            tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))),
+        4, broken.deviation || broken.between},
        {(broken.between ? tr("%1 of the surface shown within tolerance") : tr("%1 within tolerance"))
             .arg(percentText(s.withinTolerance)),
         3, broken.deviation || broken.between},

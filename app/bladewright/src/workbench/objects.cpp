@@ -146,16 +146,26 @@ Result<Design> renamed(const Design& design, const Object& object, const std::st
 
 std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
                                    const Design& after) {
+  const auto otherSurface = [&](const Cut& cut) { return !same(before.sources, after.sources, cut.source); };
+  const auto otherCut = [&](const Cut& cut) {
+    return !same(before.cuts, after.cuts, cut.id) || otherSurface(cut);
+  };
   const auto changed = std::ranges::find_if(objects, [&](const Object& object) {
+    const auto lies = [&](const Cut& cut) { return cut.block == object.id; };
+    const auto changes = [&](const Cut& cut) { return lies(cut) && otherCut(cut); };
+    const auto comes = [&](const Cut& cut) { return lies(cut) && !find(before.cuts, cut.id); };
     switch (object.kind) {
       case Object::Kind::block:
-        return !same(before.stock, after.stock, object.id);
+        return !same(before.stock, after.stock, object.id) || std::ranges::any_of(before.cuts, changes) ||
+               std::ranges::any_of(after.cuts, comes);
       case Object::Kind::surface:
         return !same(before.sources, after.sources, object.id);
       case Object::Kind::curve:
         return !sameCurve(before, after, object.id);
-      case Object::Kind::cut:
-        return !same(before.cuts, after.cuts, object.id);
+      case Object::Kind::cut: {
+        const Cut* cut = find(before.cuts, object.id);
+        return cut && otherCut(*cut);
+      }
       case Object::Kind::stations:
         break;
     }

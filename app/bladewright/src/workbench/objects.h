@@ -38,7 +38,8 @@ std::string nameOf(const Design& design, const Object& object);
 /// which have their names from their place.
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
 
-/// The first of these objects that is another in `after`, or gone; empty if all are as they were.
+/// The first of these objects that is another in `after`, or gone, or in which something is: a cut holds its
+/// surface, a block its cuts. Empty if all are as they were.
 std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
                                    const Design& after);
 

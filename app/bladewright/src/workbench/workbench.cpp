@@ -86,7 +86,7 @@ void Workbench::onReplaced() {
   blocksLeftOut_.clear();
   reading_.reset();
   drawing_.reset();
-  for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
+  for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file, Topic::written})
     emit noticesOutdated(topic);
   change |= resultChange();
   change.whole |= Aspect::messages;

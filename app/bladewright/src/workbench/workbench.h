@@ -64,7 +64,7 @@ enum class Topic {
   file,        ///< opening, recovering and saving the open design: likewise, and by a save
   autosave,    ///< outdated once autosave works again
   recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
-  written,     ///< what an export wrote, or why it did not
+  written,     ///< what an export wrote, or why it did not: outdated when another design is opened
   locked,      ///< what is locked and was to be changed: outdated when another lock is
   refusal,     ///< a text in a field that keeps an export from beginning: outdated when it changes
   other

@@ -100,10 +100,11 @@ void OutputFields::refreshState() {
                      .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped());
   for (const WrittenFile& file : bench_.exportedFiles()) {
     const std::filesystem::path place = bench_.exportFolder() / file.path;
+    QString size = QString::fromStdString(pipeline::sizeText(file.bytes));
+    size.replace(' ', QChar::Nbsp);
     text += QStringLiteral("<br><a href=\"%1\">%2</a>&nbsp; %3")
                 .arg(QUrl::fromLocalFile(QString::fromStdString(place.string())).toString(),
-                     QString::fromStdString(file.path.generic_string()).toHtmlEscaped(),
-                     QString::fromStdString(pipeline::sizeText(file.bytes)));
+                     QString::fromStdString(file.path.generic_string()).toHtmlEscaped(), size);
   }
   exported_->setText(text);
 }

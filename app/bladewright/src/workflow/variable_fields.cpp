@@ -158,6 +158,8 @@ QWidget* VariableFields::makeSliderLine(Line& line, const Variable& variable) {
   connect(line.slider, &HandSlider::moved, this, [this, v = variable, slider = line.slider](int value) {
     change(v.name, value == kSteps ? v.max : v.min + (v.max - v.min) * value / kSteps, slider->held());
   });
+  // What was refused, as of something locked, is not where the hand left it.
+  connect(line.slider, &QSlider::sliderReleased, this, &VariableFields::refresh, Qt::QueuedConnection);
   layout->addWidget(line.slider, 1);
   auto* gone = new QToolButton(row);
   const auto paint = [gone, this] { gone->setIcon(theme_.icon("close")); };

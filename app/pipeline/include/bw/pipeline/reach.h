@@ -48,6 +48,7 @@ struct Reach {
 class ReachSearch {
  public:
   static constexpr double kNear = 1, kFirst = 4, kWithin = 0.5;
+  static constexpr double kWithinShare = 0.05;  ///< of a way, as near as evaluations seek its end
 
   /// `at` makes the design that is moved by so much, in the unit of `farthest` (mm), beyond which nobody
   /// looks.
@@ -59,8 +60,11 @@ class ReachSearch {
   bool look(const RunContext& context);
   bool looking() const;
   /// One evaluation beside a border that sketches found: just beyond it, then, if it bars nothing in truth,
-  /// ever farther and back. False where nothing is left to be held against one.
+  /// ever farther and back; and just before it, then, if it is barred in truth, ever nearer. False where
+  /// nothing is left to be held against one.
   bool confirm(const RunContext& context);
+  /// Which border is held against evaluations first: that above 0, or that below.
+  void prefer(bool above) { first_ = above ? 1 : 0; }
   bool unsure() const;
   const Reach& reach() const { return reach_; }
 
@@ -70,7 +74,9 @@ class ReachSearch {
     double barred = 0;     ///< from here on, where it is known
     bool done = false;     ///< sketches find no more
     bool proved = false;   ///< by an evaluation it is barred there
+    double sure = 0;       ///< up to here an evaluation found it free, or nothing is moved
     double step = kFirst;  ///< to the next one, while none is
+    double back = kNear;   ///< likewise, while none is free
   };
   /// What bars the design that is moved by so much.
   Bar barAt(Sketcher& sketcher, double by, const RunContext& context) const;
@@ -81,6 +87,7 @@ class ReachSearch {
   double farthest_;
   double deviation_ = 0;  ///< mm, allowed at stations
   std::array<Side, 2> sides_;
+  std::size_t first_ = 1;
   std::optional<Sketcher> near_;  ///< of where it is and little beside: one row for both ways
   Reach reach_;
   bool began_ = false;
