@@ -14,6 +14,7 @@
 #include "bw/pipeline/moulds.h"
 #include "bw/pipeline/overall.h"
 #include "bw/pipeline/produce.h"
+#include "bw/pipeline/report_page.h"
 
 namespace bw::pipeline {
 namespace {
@@ -401,6 +402,8 @@ TEST(Wall, ABlockThatCannotBeCutLeavesTheOthers) {
   }
   EXPECT_GT(e.uncutArea, 0.02 * area);
   EXPECT_NEAR(all.covered, 1 - uncovered / area, 1e-12);
+  EXPECT_NE(reportHtml(reportOf(e, {}, {})).find("Blocks that the surface meets and no blade can cut"),
+            std::string::npos);
   for (const BlockEvaluation& block : e.blocks) EXPECT_TRUE(block.cuts.front().result()) << block.id;
   // Held at the boundary the blades of the others are 2.7 mm off, and would not be without that.
   int held = 0;

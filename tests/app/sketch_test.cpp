@@ -357,7 +357,7 @@ TEST(Sketch, OfANearlyStraightWallLiesWhereItsEvaluationDoes) {
     for (Eigen::Vector2d& point : section.points) point.y() = 250 + within(3);
   const std::shared_ptr<const Evaluation> first = evaluated(design);
   Sketcher sketcher(first);
-  int looked = 0, off = 0;
+  int looked = 0, off = 0, outdone = 0;
   for (int step = 0; step < 4; ++step) {
     const double up = within(3);
     std::vector<Eigen::Vector2d>& points = sections[random() % sections.size()].points;
@@ -367,19 +367,23 @@ TEST(Sketch, OfANearlyStraightWallLiesWhereItsEvaluationDoes) {
     const Outcome anew = evaluate(design, first.get(), {});
     ASSERT_FALSE(anew.error);
     for (std::size_t b = 0; b < sketch->blocks.size(); ++b) {
-      const std::vector<BladePose>& poses = anew.evaluation.blocks[b].cuts[0].sweep.value->poses;
-      const std::vector<BladePose>& drawn = sketch->blocks[b][0].sweep->poses;
-      ASSERT_EQ(drawn.size(), poses.size());
-      for (std::size_t i = 0; i < poses.size(); ++i) {
-        const double distance = apart(poses[i], drawn[i]);
+      const Sweep& found = *anew.evaluation.blocks[b].cuts[0].sweep.value;
+      const Sweep& drawn = *sketch->blocks[b][0].sweep;
+      ASSERT_EQ(drawn.poses.size(), found.poses.size());
+      for (std::size_t i = 0; i < found.poses.size(); ++i) {
+        const double distance = apart(found.poses[i], drawn.poses[i]);
         EXPECT_LT(distance, 0.5) << step << " " << b << " " << i;
         ++looked;
-        off += distance < 0.1 ? 0 : 1;
+        if (distance < 0.1) continue;
+        // A blade that is found anew may lie on its section, where one that follows cannot.
+        const double nearer = found.fits[i].fit.hausdorff, followed = drawn.fits[i].fit.hausdorff;
+        ++(nearer < 0.1 * followed ? outdone : off);
       }
     }
   }
-  // Without damped steps most of them are off, by up to 0.9 mm. An evaluation may find nearer ones besides.
-  EXPECT_LE(off, looked / 10);
+  // Without damped steps most of them are off, by up to 0.9 mm.
+  EXPECT_LE(off, looked / 100);
+  EXPECT_LE(outdone, looked / 10);
 }
 
 TEST(Sketch, KeepsWhatIsKnownOfAWallThatIsPulledFar) {

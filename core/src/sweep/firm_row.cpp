@@ -114,8 +114,9 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
   return standing && settled(row, std::move(*standing), before, next) ? next : before;
 }
 
-/// The row in which those of these stations whose ends and tangents are asked for stand with blades that
-/// these alone hold: where its section is flat, no arch need be pushed through. Empty where there are none.
+/// The row chosen once more, with those of these stations whose ends and tangents are asked for begun as
+/// blades that these alone hold: where a section is flat, no arch need be pushed through. Empty where no such
+/// blade lies within the tolerance.
 std::optional<Sweep> relieved(const Sweep& before, const std::vector<sweep::Stretch>& weak,
                               const RunContext& context) {
   const sweep::Row row(before, context);
