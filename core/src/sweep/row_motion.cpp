@@ -44,6 +44,38 @@ struct Way {
   bool straight = false;                           ///< throughout
 };
 
+/// Into how many parts the way from each station to the next is cut for the surface to follow it: where the
+/// ends of the part that cuts run along it in a corner, as at the corner of a block, a smooth skin through
+/// the stations alone swings out there and folds.
+std::vector<int> skinParts(const Sweep& row) {
+  constexpr double kCarriedOn = 0.27;  // of a swing: what cubics make of it in the next interval
+  constexpr double kCutOff = 0.2;      // of curvature times the square of the swing: how far it lies off then
+  constexpr double kFlattest = 1e-4;   // 1/mm: surfaces bend along the travel, too
+  const std::size_t n = row.poses.size();
+  std::vector<int> parts(n, 1);
+  if (n < 3) return parts;
+  std::vector<double> swing(n, 0);
+  std::vector<std::vector<Vector3d>> ends;
+  for (const BladePose& pose : row.poses) ends.push_back(pose.cutPoints(2));
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double before = row.poses[i].travel - row.poses[i - 1].travel,
+                 after = row.poses[i + 1].travel - row.poses[i].travel;
+    const Vector3d along = (ends[i][1] - ends[i][0]).normalized();
+    for (std::size_t e = 0; e < 2; ++e) {
+      const Vector3d turn = (ends[i + 1][e] - ends[i][e]) / after - (ends[i][e] - ends[i - 1][e]) / before;
+      swing[i] = std::max(swing[i], std::abs(turn.dot(along)) * std::max(before, after));
+    }
+  }
+  for (std::size_t i = 1; i < n; ++i) swing[i] = std::max(swing[i], kCarriedOn * swing[i - 1]);
+  for (std::size_t i = n - 1; i-- > 0;) swing[i] = std::max(swing[i], kCarriedOn * swing[i + 1]);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const double bend = kFlattest + std::max(row.poses[i].maxCurvature(), row.poses[i + 1].maxCurvature());
+    const double asked = std::max(swing[i], swing[i + 1]) * std::sqrt(kCutOff * bend / kSkinTolerance);
+    parts[i] = std::clamp(int(std::ceil(asked)), 1, kMostMoves);
+  }
+  return parts;
+}
+
 /// Follows the blade of a row from station to station as robots move its grips.
 class Follower {
  public:
@@ -67,6 +99,9 @@ class Follower {
     }
     return best;
   }
+
+  /// To the next station, in so many moves.
+  Way inMoves(std::size_t i, int moves) const { return follow(i, i + 1, moves); }
 
   /// In how many parts a way is to go to keep within the tolerance: it is off by the square of its length,
   /// and by its length where a straight blade sags.
@@ -258,6 +293,7 @@ Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, cons
   std::vector<char> snaps(n, 0), others(n, 0), lost(n, 0);
   std::vector<Way> ways;
   motion.reached.assign(n, 0);
+  const std::vector<int> parts = skinParts(row);
   std::string why;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     if (context.stopped()) return stoppedError();
@@ -270,7 +306,11 @@ Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, cons
     if (lost[i]) why = way.why;
     if (!arrives) way.targets.clear();
     motion.course.push_back(row.poses[i]);
-    motion.course.insert(motion.course.end(), way.targets.begin(), way.targets.end());
+    std::vector<BladePose> between = way.targets;
+    if (arrives && parts[i] > int(between.size()) + 1)
+      if (Way finer = follower.inMoves(i, parts[i]); finer.end == Way::End::arrives)
+        between = std::move(finer.targets);
+    std::ranges::move(between, std::back_inserter(motion.course));
   }
   if (n > 0) motion.course.push_back(row.poses.back());
 

@@ -15,13 +15,15 @@ SmoothWay::SmoothWay(const Sweep& row) : row_(row), length_(row.request.blade.le
   for (const BladePose& pose : row.poses) {
     const Elastica::State middle = pose.blade.at(0.5 * length_);
     Numbers n;
-    n << middle.point, middle.angle, middle.curvature, pose.blade.force(), pose.before, pose.cut.length();
+    n << middle.point, middle.angle, middle.curvature, pose.blade.force(), pose.before,
+        pose.before + pose.cut.length();
     if (pose.blade.anchor() || isTaut(pose)) n.segment<3>(3).setZero();
     // Without whole turns from one station to the next.
     if (!numbers_.empty()) n(2) = numbers_.back()(2) + std::remainder(n(2) - numbers_.back()(2), 2 * kPi);
     numbers_.push_back(n);
   }
   findSlopes();
+  boundEnds();
 }
 
 std::size_t SmoothWay::before(double travel) const {
@@ -39,7 +41,7 @@ std::optional<BladePose> SmoothWay::at(double travel) const {
   // Over a gap of the target, where stations are left out, nothing tells how far the part that cuts goes on.
   if (b.index > a.index + 1) n.tail<2>() = r * numbers_[i].tail<2>() + s * numbers_[i + 1].tail<2>();
   const Result<Elastica> blade = aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
-  const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
+  const Result<Elastica> cut = blade && n(7) > n(6) ? blade->segment(n(6), n(7)) : blade;
   if (!cut) return {};
   const PlaneFamily& planes = row_.planes;
   return BladePose{
@@ -78,6 +80,22 @@ void SmoothWay::findSlopes() {
     slopes_[i] = (chords - after * slopes_[i - 1]) / pivot;
   }
   for (std::size_t i = n - 1; i-- > 1;) slopes_[i] -= onward[i] * slopes_[i + 1];
+}
+
+void SmoothWay::boundEnds() {
+  constexpr double kSteepest = 3;  // times the slope of a chord: what Fritsch and Carlson show to be enough
+  const std::size_t n = numbers_.size();
+  if (n < 2) return;
+  const auto chord = [&](std::size_t k, int end) {
+    return (numbers_[k + 1](end) - numbers_[k](end)) / wayAfter(k);
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (const int end : {6, 7}) {
+      const double before = chord(i > 0 ? i - 1 : 0, end), after = chord(i + 1 < n ? i : n - 2, end);
+      const double most = before * after <= 0 ? 0 : kSteepest * std::min(std::abs(before), std::abs(after));
+      double& slope = slopes_[i](end);
+      slope = std::clamp(slope, before < 0 ? -most : 0, before < 0 ? 0 : most);
+    }
 }
 
 }  // namespace bw::sweep

@@ -26,7 +26,7 @@ class SmoothWay {
 
  private:
   /// What tells a blade and the part of it that cuts: the middle of the weightless blade (point, angle,
-  /// curvature, force), the length before the part, and its own.
+  /// curvature, force), the arc lengths at which the part begins and ends.
   using Numbers = Eigen::Matrix<double, 8, 1>;
 
   double wayAfter(std::size_t i) const { return row_.poses[i + 1].travel - row_.poses[i].travel; }
@@ -34,6 +34,9 @@ class SmoothWay {
   Numbers endSlope(bool front) const;
   /// Gauss's elimination of the tridiagonal equations: at each inner station the second derivatives agree.
   void findSlopes();
+  /// Where the ends of the part run in a corner, as at the corner of a block, no cubic goes past either:
+  /// there would be more of it than the stations have. Slopes are bounded as those of a monotone cubic.
+  void boundEnds();
 
   const Sweep& row_;
   double length_;

@@ -18,7 +18,8 @@ namespace bw {
 /// in a straight line, their tangents evenly.
 struct RowMotion {
   /// All stations in the order of travel, and poses between them (of index −1) where the blade would leave
-  /// the smooth way through the stations without. The surface goes through them.
+  /// the smooth way through the stations without, or the ends of what it cuts run along it in a corner. The
+  /// surface goes through them.
   std::vector<BladePose> course = {};
   /// Where robots have their targets: of these all but stations without which the blade keeps as near to the
   /// smooth way, in moves of a second at most, which take kTargetSeconds or more where they can.
