@@ -373,6 +373,31 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   EXPECT_EQ(std::get<SectionBranches>(findings[0].cause).most, 2);
 }
 
+TEST(Sections, WhatGrazesTheBlockIsNoBranch) {
+  // It rises through the top at so many mm, and comes down for good beyond 400.
+  for (const double sliver : {0.03, 0.1, 0.45, 2.0}) {
+    const Target target = targetOf(stepOf(
+        [=](double u, double v) {
+          const double x = 800 * u;
+          return Eigen::Vector3d(x, 400 * v, 30 + 0.1 * (x - sliver) * (1 - x / 400));
+        },
+        5, 60));
+    CutSettings settings;
+    settings.block = BlockPlacement{{0, 0, -200}, {800, 400, 230}, {0, 0, 0}};
+    settings.direction = Eigen::Vector3d::UnitY();
+    settings.stations = 5;
+    for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+      settings.route = route;
+      Findings findings;
+      const auto setup = resolveSetup(target, settings, findings);
+      const auto sections = cutSections(target, *setup, settings, {}, findings);
+      EXPECT_EQ(bool(sections), sliver < 1) << sliver;
+      if (!sections) continue;
+      for (const Section& section : *sections) EXPECT_NEAR(section.curve().length(), 408.5, 0.1) << sliver;
+    }
+  }
+}
+
 TEST(Sections, OfSeveralBranchesKeepThemAllWithNoneChosen) {
   // The humps grow along y, and the block's top cuts off the higher ones.
   const Target target = targetOf(stepOf(
