@@ -200,8 +200,9 @@ TEST(Workshop, GetsTheKindsOfFilesAndTheBlocksThatAreWanted) {
   const auto lines = table(file(two, "cut-list.csv"));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[2][0], "column-3");
-  EXPECT_EQ(number(lines[1].back()), 2) << "as many are ordered";
-  EXPECT_EQ(number(lines[3].back()), 2);
+  const auto order = std::size_t(std::ranges::find(lines[0], "to_order") - lines[0].begin());
+  EXPECT_EQ(number(lines[1][order]), 2) << "as many are ordered";
+  EXPECT_EQ(number(lines[3][order]), 2);
 }
 
 /// The polylines of a DXF by their layers: pairs of lines, a code and its value.

@@ -304,6 +304,15 @@ TEST(DesignDifference, IsTold) {
             "Kerf: 0 mm → 2 mm\n");
 }
 
+TEST(DesignDifference, OfAnotherKindOfSurfaceIsToldAsThatAlone) {
+  const Design design = designOf(kRipple);
+  Design other = design;
+  FormulaSurface formula;
+  formula.formula = "250";
+  other.source().surface->shape = formula;
+  EXPECT_EQ(text(differences(design, other)), "/sources/0/surface/type|Surface s|grid of poles|formula\n");
+}
+
 TEST(DesignDifference, EmbeddedFilesAreComparedByTheirBytes) {
   EXPECT_EQ(text(differences(embedded(std::string(2048, 'a')), embedded(std::string(2048, 'b')))),
             "/sources/0/base64|Surface source-1: embedded CAD file|2 KB|another file of 2 KB\n");

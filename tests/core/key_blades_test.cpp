@@ -285,6 +285,24 @@ TEST(KeyBlades, OfASurfaceTheyComeNearBetweenTheirCurvesToo) {
   EXPECT_GT(fine.deviation, 1e-6);
 }
 
+TEST(KeyBlades, AreNoMoreWhereNoElasticaComesNearerThanTheToleranceAsksFor) {
+  // One curve that a blade does not follow, shifted up and down along the travel.
+  FormulaSurface formula;
+  formula.over = {{0, 0}, {600, 800}};
+  formula.formula = "300 + 0.6*sin(5*pi*x/600) - 60*((x - 300)/300)^2 + 16*cos(2*pi*y/800)";
+  DesignedSurface designed;
+  designed.shape = formula;
+  const SplineSurface surface = splineOf(designed).value();
+  const SurfaceBlades near = fewestBladesOf(surface, 0.9).value();
+  EXPECT_LE(near.deviation, 0.9);
+  for (const double tolerance : {0.5, 0.1}) {
+    const SurfaceBlades found = fewestBladesOf(surface, tolerance).value();
+    EXPECT_GT(found.deviation, tolerance);
+    EXPECT_LE(found.deviation, near.deviation);
+    EXPECT_LE(found.shape.blades.size(), near.shape.blades.size() + 2) << tolerance;
+  }
+}
+
 TEST(KeyBlades, OfASurfaceWhoseLinesDoNotLieAcrossTheyFollowItInThePlanes) {
   // Poles moved along the travel: what lies at one v lies at many y.
   PolesSurface poles;

@@ -44,7 +44,19 @@ const Pen kVisible{0.35, 0, {}}, kHidden{0.18, 0.35, {2, 2}}, kBefore{0.18, 0.45
 constexpr std::array<double, 19> kScales = {0.1, 0.2, 0.5, 1,  2,  2.5, 5,   10,  15,  20,
                                             25,  30,  40,  50, 75, 100, 200, 500, 1000};
 
-std::string litres(double volume) { return fixedText(volume / kLitre, 1) + " l"; }
+std::string litres(double volume) {
+  const double l = volume / kLitre;
+  return (l < 1 ? shortText(l, 3) : fixedText(l, 1)) + " l";
+}
+
+/// To hundredths of a mm or a degree, however large.
+std::string hundredths(double number) {
+  constexpr int kDigits = 12;
+  return shortText(std::round(100 * number) / 100 + 0.0, kDigits);
+}
+std::string hundredths(const Eigen::Vector3d& v) {
+  return hundredths(v.x()) + ", " + hundredths(v.y()) + ", " + hundredths(v.z());
+}
 std::string millimetres(double length) { return shortText(std::round(100 * length) / 100, 7); }
 std::string sizeText(const Eigen::Vector3d& size) {
   return millimetres(size.x()) + " \u00d7 " + millimetres(size.y()) + " \u00d7 " + millimetres(size.z()) +
@@ -393,10 +405,13 @@ void drawFoot(PdfPages& pages, const DrawnDesign& design, const DrawnBlock& bloc
   say("Bladewright, run " + design.run);
 
   begin(sizeText(block.placed.size));
-  const Eigen::Vector3d corner = block.placed.frame.origin;
+  const Frame& placed = block.placed.frame;
   say("x (to the right), y (to the back), z (up)");
-  say("Corner at " + shortText(corner.x(), 6) + ", " + shortText(corner.y(), 6) + ", " +
-      shortText(corner.z(), 6) + " of the design");
+  say("Corner at " + hundredths(placed.origin) + " of the design");
+  constexpr double kTurned = 0.005;  // degrees
+  if (const Eigen::Vector3d turned = placementOf(block.placed).rotation / kDegree;
+      turned.cwiseAbs().maxCoeff() >= kTurned)
+    say("Turned by " + hundredths(turned) + "° about x, y, z there");
   double cutting = 0, run = 0;
   for (const DrawnCut& cut : block.cuts) {
     cutting += cut.cuttingTime;

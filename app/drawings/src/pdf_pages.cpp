@@ -214,16 +214,24 @@ double PdfPages::widthOf(std::string_view words, const Letters& letters) {
 std::string PdfPages::fitted(std::string_view words, const Letters& letters, double width) {
   std::string text = printable(words);
   if (text.size() <= kMostBytes && widthOf(text, letters) <= width) return text;
-  std::string begun;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t length = lengthOfFirst(rest);
-    const std::string longer = begun + std::string(rest.substr(0, length));
-    if (longer.size() > kMostBytes || widthOf(longer + kEllipsis, letters) > width) break;
-    begun = longer;
-    rest.remove_prefix(length);
+  std::vector<std::string> signs;
+  for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(lengthOfFirst(rest)))
+    signs.emplace_back(rest.substr(0, lengthOfFirst(rest)));
+  // A third of it is the end: names are told apart by that.
+  const auto shortened = [&](std::size_t kept) {
+    std::string begin, end;
+    for (std::size_t k = 0; k < kept - kept / 3; ++k) begin += signs[k];
+    for (std::size_t k = signs.size() - kept / 3; k < signs.size(); ++k) end += signs[k];
+    while (!begin.empty() && begin.back() == ' ') begin.pop_back();
+    return begin + kEllipsis + end;
+  };
+  std::size_t kept = 0;
+  while (kept + 1 < signs.size()) {
+    const std::string longer = shortened(kept + 1);
+    if (longer.size() > kMostBytes || widthOf(longer, letters) > width) break;
+    ++kept;
   }
-  while (!begun.empty() && begun.back() == ' ') begun.pop_back();
-  return begun + kEllipsis;
+  return shortened(kept);
 }
 
 std::vector<std::string> PdfPages::wrapped(std::string_view words, const Letters& letters, double width,

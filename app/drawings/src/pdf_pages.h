@@ -78,7 +78,7 @@ class PdfPages {
 
   /// mm that words take.
   double widthOf(std::string_view words, const Letters& letters);
-  /// The words, or their beginning with an ellipsis, so that they take at most `width` mm.
+  /// The words, or their beginning and end with an ellipsis between, so that they take at most `width` mm.
   std::string fitted(std::string_view words, const Letters& letters, double width);
   /// The words in at most `most` lines of at most `width` mm each; what is too much ends in an ellipsis.
   std::vector<std::string> wrapped(std::string_view words, const Letters& letters, double width, int most);

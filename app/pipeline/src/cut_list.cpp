@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "make_files.h"
 #include "workshop.h"
@@ -67,7 +68,7 @@ std::string volumes(double block, std::optional<double> left) {
 std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
   std::string text =
       "block,size_x_mm,size_y_mm,size_z_mm,corner_x_mm,corner_y_mm,corner_z_mm,cuts,block_l,left_l,waste_l,"
-      "waste_percent,cutting_time_s,run_time_s,same_as,to_order\n";
+      "waste_percent,cutting_time_s,run_time_s,same_as,to_order,turned_x_deg,turned_y_deg,turned_z_deg\n";
   std::size_t cuts = 0;
   double whole = 0;
   Times all;
@@ -88,7 +89,7 @@ std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
             std::to_string(block.cuts.size()) + "," + volumes(volume, left) + "," +
             fixedText(times.cutting, 1) + "," + fixedText(times.run, 1) + "," + cellOf(first->id) + ",";
     if (first == one) text += std::to_string(std::ranges::count(blocks, sizeOf(one), sizeOf));
-    text += "\n";
+    text += "," + vector(placementOf(placed).rotation / kDegree) + "\n";
     cuts += block.cuts.size();
     whole += volume;
     all.cutting += times.cutting;
@@ -97,7 +98,7 @@ std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
   }
   return text + "total,,,,,,," + std::to_string(cuts) + "," + volumes(whole, allLeft) + "," +
          fixedText(all.cutting, 1) + "," + fixedText(all.run, 1) + ",," + std::to_string(blocks.size()) +
-         "\n";
+         ",,,\n";
 }
 
 }  // namespace bw::pipeline

@@ -134,6 +134,14 @@ class Comparison {
 
   void keys(const ordered_json& before, const ordered_json& after, const std::string& pointer,
             const std::string& what) {
+    // What is of another kind has other numbers altogether.
+    const auto kindOf = [](const ordered_json& object) -> std::string {
+      const auto type = object.find("type");
+      return type != object.end() && type->is_string() ? kindText(type->get<std::string>()) : std::string();
+    };
+    if (const std::string old = kindOf(before), now = kindOf(after);
+        !old.empty() && !now.empty() && old != now)
+      return add(pointer + "/type", what, old, now);
     const auto each = [&](const std::string& key, const ordered_json* old, const ordered_json* now) {
       const std::string place = pointer + "/" + key;
       const auto [words, unit] = named(pointer, key, what, now ? *now : *old);
@@ -248,6 +256,13 @@ class Comparison {
             value.is_number() ? unitOf(object + "/" + key) : Unit{}};
   }
 
+  /// What a surface or a family of planes is of.
+  static std::string kindText(const std::string& type) {
+    static const std::map<std::string, std::string> kTexts = {
+        {"blades", "key blades"}, {"sections", "section curves"}, {"poles", "grid of poles"}};
+    const auto found = kTexts.find(type);
+    return found != kTexts.end() ? found->second : wordOf(type);
+  }
   static std::string lowered(std::string text) {
     if (text.size() > 1 && text[1] >= 'a' && text[1] <= 'z') text[0] = char(text[0] | 0x20);
     return text;

@@ -41,6 +41,9 @@ Result<FewestBlades> fewestBlades(const std::vector<PlacedCurve>& curves, double
     (*fitted)[i] = detail::rounded((*fitted)[i]);
     (*fitted)[i].y = curves[i].y;
   }
+  std::vector<double> share;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    share.push_back(detail::countedShare(detail::distanceOf((*fitted)[i], samples[i]), tolerance));
   const auto of = [&](const detail::KeyList& keys) {
     std::vector<KeyBlade> blades;
     for (const std::size_t key : keys) blades.push_back((*fitted)[key]);
@@ -51,14 +54,22 @@ Result<FewestBlades> fewestBlades(const std::vector<PlacedCurve>& curves, double
     if (!sweep) return tl::unexpected<Error>(sweep.error());
     detail::Missed worst;
     for (std::size_t i = 0; i < samples.size() && worst.deviation <= bound; ++i) {
-      const double off = detail::distanceOf(sweep->at(curves[i].y), samples[i]);
+      const double off = share[i] * detail::distanceOf(sweep->at(curves[i].y), samples[i]);
       if (off > worst.deviation) worst = {off, i};
     }
     return worst;
   };
   const Result<detail::FewestKeys> fewest = detail::fewestKeys(curves.size(), tolerance, missedBy, context);
   if (!fewest) return tl::unexpected<Error>(fewest.error());
-  return FewestBlades{of(fewest->keys), fewest->worst.deviation, fewest->worst.index};
+  FewestBlades found{of(fewest->keys), 0, 0};
+  const Result<BladeSweep> sweep = BladeSweep::through(found.blades);
+  if (!sweep) return tl::unexpected<Error>(sweep.error());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (const double off = detail::distanceOf(sweep->at(curves[i].y), samples[i]); off > found.deviation) {
+      found.deviation = off;
+      found.worst = i;
+    }
+  return found;
 }
 
 }  // namespace bw

@@ -84,6 +84,11 @@ std::optional<FewestKeys> moved(FewestKeys start, std::size_t count, double boun
 
 }  // namespace
 
+double countedShare(double own, double tolerance) {
+  constexpr double kNearEnough = 1.1;  // times as far as the blade that was fitted there
+  return own > 0 ? std::min(1.0, tolerance / (kNearEnough * own)) : 1.0;
+}
+
 Result<FewestKeys> fewestKeys(std::size_t count, double tolerance, const MissedBy& missedBy,
                               const RunContext& context) {
   constexpr double kNoBound = std::numeric_limits<double>::infinity();

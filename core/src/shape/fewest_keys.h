@@ -16,7 +16,7 @@ using KeyList = std::vector<std::size_t>;  ///< indices of blades that are keys,
 
 /// What a sweep misses most.
 struct Missed {
-  double deviation = 0;   ///< mm; infinite where there is no such sweep
+  double deviation = 0;   ///< mm that count; infinite where there is no such sweep
   std::size_t index = 0;  ///< of the blade that would help; a key where none does
 };
 
@@ -27,6 +27,10 @@ struct FewestKeys {
   KeyList keys;
   Missed worst;
 };
+
+/// How much of a distance from a curve counts whose own blade lies `own` (mm) off: beyond the tolerance no
+/// sweep comes much nearer than that, and keys at all curves would be a row of them that brings nothing.
+double countedShare(double own, double tolerance);
 
 /// Keys of `count` ≥ 2 blades: the first and the last, then where the sweep is farthest off until it is
 /// within `tolerance`, and each that it can do without is left out again.

@@ -27,6 +27,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 struct Line {
   std::vector<Eigen::Vector3d> places;
   std::size_t before = 0, after = 0;  ///< the curves beside it; both are its own where it is one
+  double share = 1;                   ///< of a distance from it, that counts where keys are chosen
 };
 
 /// The blade in whose plane a place lies.
@@ -79,7 +80,7 @@ struct Found {
 
 class Follower {
  public:
-  explicit Follower(const TurnedRow& row) : row_(row) {}
+  Follower(const TurnedRow& row, double tolerance) : row_(row), tolerance_(tolerance) {}
 
   Result<void> fit(const RunContext& context) {
     std::vector<const PlanarCurve*> curves;
@@ -118,6 +119,16 @@ class Follower {
           std::clamp<std::ptrdiff_t>(after - fitted_.begin(), 1, std::ptrdiff_t(fitted_.size()) - 1);
       lines_.push_back({places, std::size_t(index) - 1, std::size_t(index)});
     }
+    std::vector<double> own;
+    for (std::size_t i = 0; i < fitted_.size(); ++i) {
+      const std::vector<Eigen::Vector3d>& places = lines_[i].places;
+      double off = 0;
+      for (std::size_t k = 0; k < places.size(); ++k)
+        off = std::max(off, offBlade(fitted_[i], places[k], k, places.size() - 1));
+      own.push_back(off);
+    }
+    for (Line& line : lines_)
+      line.share = detail::countedShare(std::max(own[line.before], own[line.after]), tolerance_);
     return {};
   }
 
@@ -143,8 +154,9 @@ class Follower {
     return family ? Result<void>() : tl::unexpected<Error>(family.error());
   }
 
+  enum class Count { whole, share };
   /// Of every so many-th place of a line, and its last; it may end where that is more than `bound`.
-  Found farthest(const BladeSweep& sweep, double bound, std::size_t step) const {
+  Found farthest(const BladeSweep& sweep, double bound, std::size_t step, Count count) const {
     Found found;
     for (std::size_t l = 0; l < lines_.size(); ++l) {
       const std::vector<Eigen::Vector3d>& places = lines_[l].places;
@@ -152,7 +164,8 @@ class Follower {
       double y = fitted_[lines_[l].before].y;
       for (std::size_t i = 0;; i = std::min(i + step, last)) {
         y = yOf(sweep, places[i], y);
-        const double off = offBlade(sweep.at(y), places[i], i, last);
+        const double off =
+            (count == Count::share ? lines_[l].share : 1) * offBlade(sweep.at(y), places[i], i, last);
         if (off > found.deviation) found = {off, y, l};
         if (i == last) break;
       }
@@ -167,7 +180,7 @@ class Follower {
     if (!apart(*blades)) return detail::Missed{kNever, widest(keys)};
     const Result<BladeSweep> sweep = BladeSweep::through(*blades);
     if (!sweep) return detail::Missed{kNever, widest(keys)};
-    const Found found = farthest(*sweep, bound, step);
+    const Found found = farthest(*sweep, bound, step, Count::share);
     const Line& line = lines_[found.line];
     const bool taken = std::ranges::binary_search(keys, line.before);
     return detail::Missed{found.deviation, taken ? line.after : line.before};
@@ -196,6 +209,7 @@ class Follower {
   }
 
   const TurnedRow& row_;
+  double tolerance_;
   std::vector<KeyBlade> fitted_;
   std::vector<Line> lines_;  ///< the curves first
 };
@@ -209,7 +223,7 @@ Result<FewestTurnedBlades> fewestTurnedBlades(const TurnedRow& row, double toler
                 double(row.curves.size()), 2.0);
   if (std::ranges::any_of(row.between, [](const auto& places) { return places.size() < 2; }))
     return fail(ErrorCode::badInput, "a line between the curves takes two places or more", "curves");
-  Follower follower(row);
+  Follower follower(row, tolerance);
   if (Result<void> ok = follower.fit(context); !ok) return tl::unexpected<Error>(ok.error());
   // By a few places of each line at first; by all where these do not keep what the few did.
   std::vector<KeyBlade> blades;
@@ -227,9 +241,10 @@ Result<FewestTurnedBlades> fewestTurnedBlades(const TurnedRow& row, double toler
     const Result<BladeSweep> sweep = BladeSweep::through(*told);
     if (!sweep) return tl::unexpected<Error>(sweep.error());
     blades = std::move(*told);
-    found = follower.farthest(*sweep, kNever, 1);
+    const double counted = follower.farthest(*sweep, kNever, 1, Follower::Count::share).deviation;
+    found = follower.farthest(*sweep, kNever, 1, Follower::Count::whole);
     turnedOff = follower.turnedOff(*sweep);
-    if (found.deviation <= std::max(tolerance, fewest->worst.deviation)) break;
+    if (counted <= std::max(tolerance, fewest->worst.deviation)) break;
   }
   if (!std::isfinite(found.deviation))
     return fail(ErrorCode::noSolution,

@@ -122,7 +122,10 @@ Result<SurfaceBlades> fewestBladesOf(const SplineSurface& surface, double tolera
       closer.push_back(std::move(*between));
     }
     closer.push_back(std::move(curves.back()));
-    const bool served = found.deviation <= std::max(tolerance, fewest->deviation);
+    // No elastica comes nearer where the curves themselves are missed by more.
+    constexpr double kNearEnough = 1.1;
+    const bool served = found.deviation <= tolerance ||
+                        (fewest->deviation > tolerance && found.deviation <= kNearEnough * fewest->deviation);
     if (served || 2 * count - 1 > kMostCurves) {
       found.shape.blades = std::move(fewest->blades);
       return found;

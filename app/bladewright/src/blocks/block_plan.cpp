@@ -5,6 +5,7 @@
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QToolTip>
 
 #include <algorithm>
@@ -273,6 +274,12 @@ bool BlockPlan::event(QEvent* event) {
   return QWidget::event(event);
 }
 
+/// "3-2" of "column-3-layer-2": shortened in the middle, all of a grid look alike.
+static QString shortName(const QString& name) {
+  static const QRegularExpression grid("^(?:(?:column|row|layer)-\\d+-?)+$"), words("(?:column|row|layer)-");
+  return grid.match(name).hasMatch() ? QString(name).remove(words) : name;
+}
+
 void BlockPlan::paintCell(QPainter& painter, const Cell& cell) const {
   const Colours& c = theme_.colours();
   const QRectF place = toWidget(cell.place);
@@ -305,8 +312,9 @@ void BlockPlan::paintCell(QPainter& painter, const Cell& cell) const {
   const bool below = !beside && inner.height() >= nameSize.height() + kIcon + wordSize.height() + 4;
   const double high = nameSize.height() + 2 + (below ? kIcon + 2 + wordSize.height() : kIcon);
   double y = inner.center().y() - 0.5 * high;
-  draw(name, c.text, {inner.left(), y, inner.width(), double(nameSize.height())},
-       QString::fromStdString(cell.id));
+  QString own = QString::fromStdString(cell.id);
+  if (nameSize.horizontalAdvance(own) > inner.width()) own = shortName(own);
+  draw(name, c.text, {inner.left(), y, inner.width(), double(nameSize.height())}, own);
   y += nameSize.height() + 2;
   const QColor pen = cell.standing.colour == &Colours::secondary ? c.secondary : colour;
   if (beside) {

@@ -17,7 +17,8 @@ Result<void> evaluateInto(pipeline::Evaluation& evaluation, const Design& design
                           const pipeline::Evaluation* previous, const RunContext& context) {
   pipeline::Outcome outcome = pipeline::evaluate(design, previous, context);
   evaluation = std::move(outcome.evaluation);
-  if (!outcome.error) return {};
+  // With what is left of blocks, as that of now is seen; a picture without is none of the whole.
+  if (!outcome.error) return pipeline::addParts(evaluation, context);
   for (pipeline::BlockEvaluation& block : evaluation.blocks)
     for (pipeline::CutEvaluation& cut : block.cuts)
       (void)pipeline::meshTarget(cut, nullptr, evaluation.seconds.read);

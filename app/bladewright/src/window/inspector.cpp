@@ -264,8 +264,9 @@ void Inspector::makeBlock() {
   column->addGap();
   gridColumn_ = column->addWide(new FormColumn);
   gridFields_ = new GridFields(bench_, gridColumn_, this);
-  column->addHeading(tr("After all of its cuts"));
-  addValue(column, tr("Foam left"), tr("What is left of a block of several cuts, once the hand has rested"),
+  togetherColumn_ = column->addWide(new FormColumn);
+  togetherColumn_->addHeading(tr("After all of its cuts"));
+  addValue(togetherColumn_, tr("Foam left"), tr("What is left of the block, once the hand has rested"),
            [this] {
              const pipeline::BlockEvaluation* shown = block();
              const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
@@ -277,7 +278,7 @@ void Inspector::makeBlock() {
     return &*std::ranges::max_element(shown->together.value->creases, {}, &Crease::offMax);
   };
   addValue(
-      column, tr("Crease off by"),
+      togetherColumn_, tr("Crease off by"),
       tr("The farthest that an edge in which two cuts meet lies from that of the surfaces designed"),
       [worst] { return worst() ? lengthText(worst()->offMax) : QString(); },
       [this, worst] { return worst() && worst()->offMax > bench_.shown()->design.process.tolerance; });
@@ -480,6 +481,7 @@ void Inspector::refresh() {
   // Of a page that nobody sees the fields wait.
   if (selection.kind == Selection::Kind::surface) surfaceFields_->refresh();
   gridColumn_->setVisible(bench_.design().grid && bench_.design().grid->count() > 1);
+  togetherColumn_->setVisible(block() && block()->cuts.size() > 1);
   gridFields_->refresh();
   blockFields_->refresh();
   bladeFields_->refresh();

@@ -74,6 +74,7 @@ class Inspector : public SidePanel {
   SurfaceFields* surfaceFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
   FormColumn* gridColumn_ = nullptr;
+  FormColumn* togetherColumn_ = nullptr;  ///< of a block of several cuts
   GridFields* gridFields_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   NumberField* stationNumber_ = nullptr;

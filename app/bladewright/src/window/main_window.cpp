@@ -15,6 +15,7 @@
 #include "controls/layout.h"
 #include "controls/numbers.h"
 #include "window/start_page.h"
+#include "workflow/surface_fields.h"
 
 namespace bw::app {
 
@@ -176,7 +177,8 @@ void MainWindow::takeKeyBlades(pipeline::Told told) {
   constexpr double kSeen = 0.005;  // degrees
   if (const double off = toDegrees(keys->turnedOff); off >= kSeen)
     words += tr("; planes up to %1° off those before").arg(QString::fromStdString(shortText(off, 2)));
-  bench_.tell(Topic::other, keys->deviation > tolerance ? Severity::warning : Severity::info, words);
+  words += missedAimText(count, keys->deviation, tolerance);
+  bench_.tell(Topic::made, keys->deviation > tolerance ? Severity::warning : Severity::info, words);
 }
 
 void MainWindow::makeMoulds() {
@@ -198,7 +200,7 @@ void MainWindow::makeMoulds() {
   const std::size_t blocks = bench_.design().stock.size();
   bench_.editDesign(tr("Two moulds for a panel"), [&moulds](Design& design) { design = *moulds; });
   if (bench_.design() != *moulds) return;  // something of it is locked, which is told
-  bench_.tell(Topic::other, Severity::info,
+  bench_.tell(Topic::made, Severity::info,
               tr("%1 for %2: the foam of both stands back from the surface by %3")
                   .arg(counted(moulds->stock.size() - blocks, tr("upper mould"), tr("upper moulds")),
                        counted(blocks, tr("block"), tr("blocks")), lengthText(*thickness / 2)));

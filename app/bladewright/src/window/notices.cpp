@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -84,9 +85,7 @@ void Banner::showFront() {
   if (standing_.empty()) return hide();
   const Notice& notice = standing_.back();
   // Names of files and entities come from outside.
-  QString text = QString::fromStdString(printable(notice.text.toStdString()));
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  label_->setText(text);
+  label_->setText(QString::fromStdString(printable(notice.text.toStdString())));
   action_->setText(notice.action);
   action_->setVisible(!notice.action.isEmpty());
   more_->setText(tr("1 of %1").arg(standing_.size()));
@@ -132,9 +131,34 @@ void Banner::paintEvent(QPaintEvent*) {
   painter.fillRect(QRect(0, 0, kBorder, height()), colour);
 }
 
+namespace {
+
+/// As high as the text is in the width that the list leaves it: the view measures it wider than it draws it.
+class WrappedText : public QStyledItemDelegate {
+ public:
+  explicit WrappedText(QListView* view) : QStyledItemDelegate(view), view_(view) {}
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem own = option;
+    initStyleOption(&own, index);
+    const int margin = view_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &own, view_) + 1;
+    const int taken = own.icon.isNull() ? 2 * margin : view_->iconSize().width() + 4 * margin;
+    const int room = std::max(1, view_->viewport()->width() - taken - 2 * margin);
+    const int text =
+        own.fontMetrics.boundingRect(QRect(0, 0, room, 1 << 20), Qt::TextWordWrap, own.text).height();
+    const QSize base = QStyledItemDelegate::sizeHint(option, index);
+    return {base.width(), std::max(base.height(), text + 2 * margin)};
+  }
+
+ private:
+  QListView* view_;
+};
+
+}  // namespace
+
 MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
     : QListWidget(parent), bench_(bench), theme_(theme) {
   setWordWrap(true);
+  setItemDelegate(new WrappedText(this));
   setIconSize({16, 16});
   setUniformItemSizes(false);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

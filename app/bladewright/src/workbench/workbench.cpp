@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -33,6 +34,9 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&document_, &model::Document::replaced, this, &Workbench::onReplaced);
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
   connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
+  // What a command made is told after its step.
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this,
+          [this] { emit noticesOutdated(Topic::made); });
   connect(&watch_, &model::SourceWatch::changed, this, &Workbench::onSourceChanged);
   connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
   connect(&watch_, &model::SourceWatch::back, this, [this] { emit noticesOutdated(Topic::source); });
@@ -86,7 +90,8 @@ void Workbench::onReplaced() {
   blocksLeftOut_.clear();
   reading_.reset();
   drawing_.reset();
-  for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file, Topic::written})
+  for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file, Topic::written,
+                            Topic::made, Topic::other})
     emit noticesOutdated(topic);
   change |= resultChange();
   change.whole |= Aspect::messages;
@@ -283,6 +288,32 @@ Message messageOf(const Finding& finding) {
 
 }  // namespace
 
+void Workbench::tell(const Notice& notice) {
+  Notice told = notice;
+  told.text = asSentence(told.text);
+  emit noticed(told);
+}
+
+QString Workbench::asSentence(QString text) const {
+  if (text.isEmpty()) return text;
+  const auto begins = [&](const std::string& name) {
+    const QString own = QString::fromStdString(name);
+    return !own.isEmpty() && text.startsWith(own) &&
+           (text.size() == own.size() || !text[own.size()].isLetterOrNumber());
+  };
+  const auto named = [&](const auto& list, const auto& nameOf) {
+    return std::ranges::any_of(list, [&](const auto& one) { return begins(std::invoke(nameOf, one)); });
+  };
+  const Design& now = design();
+  const QString first = text.section(QLatin1Char(' '), 0, 0);
+  const bool isFile = first.chopped(1).contains(QLatin1Char('.'));
+  if (isFile || named(now.stock, &StockBlock::id) || named(now.cuts, &Cut::id) ||
+      named(now.sources, &Source::id) || named(now.variables, &Variable::name))
+    return text;
+  text[0] = text[0].toUpper();
+  return text;
+}
+
 std::vector<Message> Workbench::messages() const {
   std::vector<Message> all = messages_;
   if (!exportFindings_.empty() && runner_.evaluation() &&
@@ -295,8 +326,7 @@ void Workbench::onFinished() {
   const std::vector<Message> before = std::exchange(messages_, {});
   emit noticesOutdated(Topic::evaluation);
   if (const std::optional<Error>& error = runner_.error()) {
-    QString text = QString::fromStdString(printable(error->message));
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    const QString text = asSentence(QString::fromStdString(printable(error->message)));
     messages_.push_back({Severity::error, text, {}, error->remedies});
     Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}, Topic::evaluation};
     for (const Remedy& remedy : error->remedies) {

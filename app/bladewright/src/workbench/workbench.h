@@ -66,8 +66,9 @@ enum class Topic {
   recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
   written,     ///< what an export wrote, or why it did not: outdated when another design is opened
   locked,      ///< what is locked and was to be changed: outdated when another lock is
+  made,        ///< what a command made of the design: outdated by the next change of it
   refusal,     ///< a text in a field that keeps an export from beginning: outdated when it changes
-  other
+  other        ///< outdated when another design is opened
 };
 
 /// A line above the picture that tells something; `action` is the text of its button, if it has one. It
@@ -223,7 +224,9 @@ class Workbench : public QObject {
   /// What it wrote there, relative to it, in the order of writing.
   const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
 
-  void tell(const Notice& notice) { emit noticed(notice); }
+  void tell(const Notice& notice);
+  /// A text as a sentence of its own, with a capital, unless it begins with a name of the design or of a file.
+  QString asSentence(QString text) const;
   void tell(Topic topic, Severity severity, const QString& text) { tell({severity, text, {}, {}, topic}); }
   void tell(Topic topic, const Error& error) {
     tell(topic, Severity::error, QString::fromStdString(error.message));

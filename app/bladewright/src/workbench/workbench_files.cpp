@@ -382,8 +382,7 @@ void Workbench::tellWritten(const Export& made) {
   const QString more =
       findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
   tell(Topic::written, Severity::warning,
-       tr("%1. The check of the programs warns: %2.%3")
-           .arg(written, first.left(1).toUpper() + first.mid(1), more));
+       tr("%1. The check of the programs warns: %2.%3").arg(written, asSentence(first), more));
 }
 
 pipeline::Wanted Workbench::wanted() const {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/export_blocks.h"
 
+#include <QStyleOptionButton>
+#include <QStylePainter>
+
 #include <algorithm>
 
 #include "controls/fields.h"
@@ -101,6 +104,27 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id, const Fi
   return standing;
 }
 
+/// A check box whose name is shortened to the width there is.
+class NameBox : public QCheckBox {
+ public:
+  using QCheckBox::QCheckBox;
+  QSize minimumSizeHint() const override {
+    return {std::min(kLeastName, QCheckBox::sizeHint().width()), QCheckBox::minimumSizeHint().height()};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    const int room = style()->subElementRect(QStyle::SE_CheckBoxContents, &option, this).width();
+    option.text = fontMetrics().elidedText(option.text, Qt::ElideMiddle, room);
+    QStylePainter(this).drawControl(QStyle::CE_CheckBox, option);
+  }
+
+ private:
+  static constexpr int kLeastName = 96;
+};
+
 Findings findingsOf(const Workbench& bench) {
   const auto shown = bench.shown();
   return shown ? shown->findings() : Findings();
@@ -135,8 +159,9 @@ void ExportBlocks::rebuild() {
   lines_.clear();
   for (const std::string& block : built_) {
     if (lines_.size() == kLines) break;
-    Line line{block, new QCheckBox(QString::fromStdString(block)), new QLabel, new QLabel, new QLabel, {}};
-    line.wanted->setToolTip(tr("Programs, drawing, part and line of the cut list of this block"));
+    Line line{block, new NameBox(QString::fromStdString(block)), new QLabel, new QLabel, new QLabel, {}};
+    line.wanted->setToolTip(
+        tr("Programs, drawing, part and line of the cut list of %1").arg(line.wanted->text()));
     line.wanted->setAccessibleName(tr("Export %1").arg(line.wanted->text()));
     connect(line.wanted, &QCheckBox::clicked, this,
             [this, block](bool on) { bench_.setBlockWanted(block, on); });

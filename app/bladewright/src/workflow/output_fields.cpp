@@ -98,7 +98,12 @@ void OutputFields::refreshState() {
   if (folder.isEmpty()) return;
   QString text = tr("Last export: <a href=\"%1\">%2</a>")
                      .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped());
-  for (const WrittenFile& file : bench_.exportedFiles()) {
+  // What people read comes first.
+  std::vector<WrittenFile> files = bench_.exportedFiles();
+  std::ranges::stable_partition(files, [](const WrittenFile& file) {
+    return file.path.extension() == ".pdf" || file.path.extension() == ".html";
+  });
+  for (const WrittenFile& file : files) {
     const std::filesystem::path place = bench_.exportFolder() / file.path;
     QString size = QString::fromStdString(pipeline::sizeText(file.bytes));
     size.replace(' ', QChar::Nbsp);

@@ -125,6 +125,13 @@ Result<SurfaceShape> shapeOfKind(int kind, const SplineSurface& before) {
 
 }  // namespace
 
+QString missedAimText(std::size_t count, double deviation, double aim) {
+  if (deviation <= aim) return {};
+  return count < std::size_t(BladesSurface::kMost)
+             ? QObject::tr("; %1 was aimed at, but a blade itself comes no nearer there").arg(lengthText(aim))
+             : QObject::tr("; %1 was aimed at, which takes more of them").arg(lengthText(aim));
+}
+
 FormulaField::FormulaField(QWidget* parent) : TypedField(parent) {}
 
 void FormulaField::show(const std::string& formula, std::vector<std::string> names) {
@@ -600,7 +607,8 @@ void SurfaceFields::changeKind(int kind) {
     if (found->deviation > near) severity = Severity::warning;
     told = tr("%1 key blades, within %2 of the surface that they were made from (the farthest at y = %3)")
                .arg(found->shape.blades.size())
-               .arg(lengthText(found->deviation), QString::fromStdString(shortText(found->worst, 6)));
+               .arg(lengthText(found->deviation), QString::fromStdString(shortText(found->worst, 6))) +
+           missedAimText(found->shape.blades.size(), found->deviation, near);
     return std::move(found->shape);
   }();
   if (!shape) {
@@ -609,7 +617,7 @@ void SurfaceFields::changeKind(int kind) {
   }
   replace(tr("Change kind of surface"), *shape);
   // Nothing of one that was refused, which is told.
-  if (!told.isEmpty() && bench_.source().surface->shape == *shape) bench_.tell(Topic::other, severity, told);
+  if (!told.isEmpty() && bench_.source().surface->shape == *shape) bench_.tell(Topic::made, severity, told);
 }
 
 void SurfaceFields::changeCounts(int columns, int rows) {

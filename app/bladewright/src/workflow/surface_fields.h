@@ -18,6 +18,9 @@
 
 namespace bw::app {
 
+/// How the sentence goes on that tells how near so many key blades come, where they miss the aim; else empty.
+QString missedAimText(std::size_t count, double deviation, double aim);
+
 /// A line that holds a formula of x, y and the variables; what cannot be read stays as typed, with the
 /// character.
 class FormulaField : public TypedField {

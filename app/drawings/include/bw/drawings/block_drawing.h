@@ -64,10 +64,10 @@ struct DrawnDesign {
 
 /// The drawings as PDF, A4 landscape: of each block one page with views in first-angle projection, dimensions
 /// and the first cuts, and as many more as its further cuts need. Texts beyond the letters of western Europe
-/// (code page 1252) are written with question marks, long ones end in an ellipsis. The file carries no date,
-/// so that equal input gives equal bytes, for any number of threads. Some 0.05 s a block. Errors: no block,
-/// one without size or without cuts, or numbers that are not finite (`badInput`); `cancelled`; `internal` if
-/// libharu fails.
+/// (code page 1252) are written with question marks, long ones have an ellipsis in their middle. The file
+/// carries no date, so that equal input gives equal bytes, for any number of threads. Some 0.05 s a block.
+/// Errors: no block, one without size or without cuts, or numbers that are not finite (`badInput`);
+/// `cancelled`; `internal` if libharu fails.
 [[nodiscard]] Result<std::string> drawingsPdf(const DrawnDesign& design, const RunContext& context = {});
 
 /// How many cuts the first page of a block holds, and each further one.

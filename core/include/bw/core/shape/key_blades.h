@@ -103,8 +103,8 @@ struct FewestBlades {
 /// Key blades whose sweep comes within `tolerance` (mm) of each of some curves, y ascending: an elastica is
 /// fitted to each, those at both ends are keys, one is added where the sweep is farthest off until it is
 /// within, and each that it can do without is left out again. All curves are keys at most: where an elastica
-/// itself lies farther off, the deviation tells. Errors: `badInput` for fewer than two curves or y that does
-/// not ascend; those of `fitElastica`, with the curve's y; `cancelled`.
+/// itself lies farther off, 1.1 times as far counts as near, and the deviation tells. Errors: `badInput` for
+/// fewer than two curves or y that does not ascend; those of `fitElastica`, with the curve's y; `cancelled`.
 Result<FewestBlades> fewestBlades(const std::vector<PlacedCurve>& curves, double tolerance,
                                   const RunContext& context = {});
 
