@@ -42,7 +42,7 @@ int runExport(const Session& session, const ExportOptions& options) {
   policy.contents = pipeline::Policy::Contents::programs;
   policy.despiteErrors = options.despiteErrors;
   policy.programFolder = "strip-0";
-  policy.length = pipeline::foundLength(options.path);
+  policy.lengths = pipeline::foundLengths(options.path);
   const pipeline::Product product = pipeline::produce(*design, options.out, policy, session.context());
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
@@ -131,9 +131,10 @@ Findings ranAgainst(const Session& session, const robotio::Program& program, con
   const Result<Design> design = session.designOf(about);
   if (!design) return unknown(design.error());
   std::error_code error;
-  const std::optional<double> length =
-      std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
-  const Result<pipeline::ProgramRun> run = pipeline::runProgram(program, &*design, session.context(), length);
+  const pipeline::CutLengths lengths =
+      std::filesystem::is_directory(about, error) ? pipeline::lengthsMadeWith(about) : pipeline::CutLengths();
+  const Result<pipeline::ProgramRun> run =
+      pipeline::runProgram(program, &*design, session.context(), lengths);
   session.endProgress();
   if (!run) return unknown(run.error());
   // Rules that it breaks are told beside this.
@@ -216,8 +217,8 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
       !program && std::filesystem::exists(motion, error))
     program = robotio::loadProgram(motion);
   if (!program) return session.complain(program.error());
-  const std::optional<double> length =
-      std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
+  const pipeline::CutLengths lengths =
+      std::filesystem::is_directory(about, error) ? pipeline::lengthsMadeWith(about) : pipeline::CutLengths();
   if (!options.out.empty())
     if (const Result<void> ok = session.mayWriteInto(options.out); !ok) return session.complain(ok.error());
   // What is seen of the run is told while the rest is sought.
@@ -232,7 +233,7 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
     cut = text.get();
   };
   const Result<pipeline::ProgramRun> run = pipeline::runProgram(
-      *program, design ? &*design : nullptr, session.context(), length,
+      *program, design ? &*design : nullptr, session.context(), lengths,
       options.out.empty() ? std::function<void(const pipeline::ProgramRun&)>() : tellSeen);
   if (!run) return session.complain(run.error());
   if (!options.out.empty()) {

@@ -237,7 +237,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   const Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Policy policy{.contents = pipeline::Policy::Contents::evaluation,
-                                .length = pipeline::foundLength(options.path)};
+                                .lengths = pipeline::foundLengths(options.path)};
   pipeline::Product product = pipeline::produce(*design, {}, policy, session.context());
   session.tell(product.evaluation.sourceFindings);
   if (product.error) return session.complain(*product.error);

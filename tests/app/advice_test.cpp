@@ -121,7 +121,7 @@ TEST(Advice, TheLengthThatIsToKeepTheClearanceDoes) {
   ask("250+100*sin(pi*x/600)*(0.6+0.4*sin(pi*y/800))", 25, 80, 0.2, 1.5);
   const Advice<GripTooNear, OtherLength> advice(evaluated(design));
   ASSERT_TRUE(advice.remedy);
-  EXPECT_NE(advice.text.find("; try one of "), std::string::npos) << advice.text;
+  EXPECT_NE(advice.text.find("; try a blade of "), std::string::npos) << advice.text;
   design.blade.length = advice.remedy->length;
   EXPECT_FALSE(exceedsLimit(evaluated(design).findings()));
 

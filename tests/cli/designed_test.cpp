@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -430,6 +431,45 @@ TEST(Blocks, OfAWallHaveJointsProgramsAndOneSurface) {
   ASSERT_EQ(blade({"design", exampleIn(folder, "bump"), "--out", out}).status, 0);
   for (const std::string& file : folder.files())
     EXPECT_EQ(file.find("out/programs/column"), std::string::npos) << file;
+}
+
+TEST(Designed, CutsOfOneBlockThatFoundTheirOwnLengthsAreRunWithThem) {
+  const Folder folder;
+  const auto surface = [](const char* id, const char* formula) {
+    return json{
+        {"id", id},
+        {"surface", {{"type", "formula"}, {"x", {-300, 900}}, {"y", {-300, 1100}}, {"formula", formula}}}};
+  };
+  const auto cut = [](const char* id, const char* source, const char* direction, const char* keep, int turn) {
+    return json{{"id", id},     {"source", source}, {"block", "block"}, {"direction", direction},
+                {"keep", keep}, {"stations", 21},   {"turn_deg", turn}};
+  };
+  const json design = {
+      {"bladewright_design", 2},
+      {"name", "two"},
+      {"sources",
+       {surface("low", "180+25*cos(pi*(x-300)/800)"), surface("top", "330+30*cos(pi*(y-400)/900)")}},
+      {"stock", {{{"id", "block"}, {"block", {{"origin", {0, 0, 0}}, {"size", {600, 800, 500}}}}}}},
+      {"cuts", {cut("low", "low", "y", "above", 0), cut("high", "top", "x", "below", 90)}},
+      {"blade", {{"preset", "nicr-flat-5x1"}, {"length", "auto"}}}};
+  std::ofstream(std::string(folder / "two.bladewright")) << design;
+  const std::string out = folder / "out";
+  const Finished made = blade({"design", folder / "two.bladewright", "--out", out});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json strips = json::parse(slurp(out + "/report.json"))["strips"];
+  ASSERT_EQ(strips.size(), 2u);
+  EXPECT_LT(strips[0]["blade_length"].get<double>() + 100, strips[1]["blade_length"].get<double>())
+      << "across 600 and 800 mm of foam";
+  for (const char* strip : {"strip-0", "strip-1"}) {
+    const std::string program = out + "/programs/" + strip;
+    for (const std::string& about : {out, std::string(folder / "two.bladewright")}) {
+      const Finished run = blade({"simulate", program, "--design", about});
+      EXPECT_EQ(run.status, 0) << strip << " " << about << " " << run.err;
+    }
+  }
+  const Finished exported = blade({"export", out, "--format", "json", "--out", folder / "again"});
+  EXPECT_EQ(exported.status, 0) << exported.err;
+  EXPECT_EQ(blade({"render", out, "--size", "320x200", "--out", folder / "a.png"}).status, 0);
 }
 
 TEST(Blocks, AreWrittenAlikeWithAnyNumberOfThreads) {

@@ -240,6 +240,21 @@ TEST(BladeLengths, TheBestIsTheFirstThatServesAsAWhole) {
   EXPECT_TRUE(lengths.bands().empty());
 }
 
+TEST(BladeLengths, OfThoseThatAreAsFirmNotTheNeighboursOfOneThatFailsAreTriedNext) {
+  BladeLengths lengths;
+  for (double length = 710; length < 1240; length += 20)
+    lengths.trials.push_back({length, length < 750 ? Rest::lost : Rest::certain});
+  for (RowTrial& trial : lengths.trials) trial.margin = 1;
+  int asked = 0;
+  confirm(lengths, [&](RowTrial& trial) {
+    ++asked;
+    return trial.length > 840;
+  });
+  ASSERT_TRUE(lengths.best);
+  EXPECT_NEAR(*lengths.best, 960, 30) << "in the middle of those that may serve";
+  EXPECT_EQ(asked, 2);
+}
+
 TEST(BladeLengths, BandsJoinNeighboursThatServeAlike) {
   BladeLengths lengths;
   for (const auto& [length, rest] : {std::pair(600.0, Rest::lost),

@@ -151,7 +151,7 @@ TEST(Findings, TellOverWhatStretchKeyBladesAreNone) {
 
 TEST(Findings, TellTheRemediesTheyHold) {
   EXPECT_NE(said(GripTooNear{-12, 50}, kOne, {OtherLength{1200}})
-                .find("12 mm inside the block; try one of 1200 mm"),
+                .find("12 mm inside the block; try a blade of 1200 mm"),
             std::string::npos);
   EXPECT_NE(said(GripTooNear{-12, 50, 1500}, kOne, {OtherBlock{OtherBlock::How::endsBefore}})
                 .find("a blade that keeps the clearance (1500 mm) would not serve; choose a block that "

@@ -534,7 +534,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
 }
 
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context, Purpose purpose,
-                 std::optional<double> length) {
+                 const CutLengths& lengths) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
@@ -563,8 +563,9 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
                         : std::ranges::find(design.stock, block.id, &StockBlock::id)->placement;
     for (CutEvaluation& stages : block.cuts) {
       const Cut& cut = cuts[works.size()];
+      const auto known = lengths.find(cut.id);
       works.push_back({design, cut, stages, previous ? previous->find(cut.id) : nullptr, e.seconds, context,
-                       purpose, length});
+                       purpose, known != lengths.end() ? std::optional(known->second) : std::nullopt});
       if (ok = place(works.back(), placement); !ok) return stop(inCut(e, cut, ok).error());
     }
   }

@@ -90,7 +90,7 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
       }
   }
   const Purpose purpose = policy.contents == Contents::evaluation ? Purpose::live : Purpose::files;
-  Outcome outcome = evaluate(design, previous, context, purpose, policy.length);
+  Outcome outcome = evaluate(design, previous, context, purpose, policy.lengths);
   product.evaluation = std::move(outcome.evaluation);
   product.error = outcome.error;
   if (!product.error) makeFiles(product, policy, context);

@@ -30,6 +30,29 @@ std::optional<double> numberOf(const json& object, const char* key) {
   return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
+/// Each strip tells its own where there are several; else the blade does.
+void readLengths(const json& report, ReportRecord& record) {
+  const json none = json::object();
+  const auto in = [&](const json& object, const char* key) -> const json& {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_object() ? *found : none;
+  };
+  const json& blade = in(report, "blade");
+  const std::optional<double> best = numberOf(in(blade, "lengths"), "best");
+  const auto strips = report.find("strips");
+  if (strips == report.end() || !strips->is_array()) return;
+  for (const json& strip : *strips) {
+    const auto cut = strip.is_object() ? strip.find("cut") : strip.end();
+    if (cut == strip.end() || !cut->is_string()) continue;
+    const std::optional<double> own = numberOf(strip, "blade_length"),
+                                length = own ? own : numberOf(blade, "length"),
+                                serves = own ? numberOf(strip, "best_length") : best;
+    if (!length || !(*length > 0 && *length <= Blade::kLongest)) continue;
+    record.lengths[cut->get<std::string>()] = *length;
+    if (serves == length) record.found.insert(cut->get<std::string>());
+  }
+}
+
 }  // namespace
 
 Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
@@ -55,11 +78,7 @@ Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   record.folder = folder;
   if (const auto run = report.find("run"); run != report.end() && run->is_string())
     record.run = run->get<std::string>();
-  if (const auto blade = report.find("blade"); blade != report.end() && blade->is_object()) {
-    record.bladeLength = numberOf(*blade, "length");
-    if (const auto lengths = blade->find("lengths"); lengths != blade->end() && lengths->is_object())
-      record.bestLength = numberOf(*lengths, "best");
-  }
+  readLengths(report, record);
   if (const auto files = report.find("files"); files != report.end() && files->is_array())
     for (const json& name : *files)
       if (name.is_string() && staysInside(name.get<std::string>())) record.files.insert(name);

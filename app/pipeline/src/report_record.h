@@ -9,17 +9,18 @@
 #include <string>
 
 #include "bw/core/base/result.h"
+#include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
 
 /// What the report.json of a folder says of its run.
 struct ReportRecord {
   std::filesystem::path folder;
-  std::string run;                                   ///< empty if it names none
-  std::set<std::string> files;                       ///< that it lists, by path within the folder
-  std::map<std::string, std::string> fingerprints;   ///< of those files, by the same paths
-  std::optional<double> bladeLength = std::nullopt;  ///< mm
-  std::optional<double> bestLength = std::nullopt;   ///< mm, of those that were found to serve
+  std::string run;                                  ///< empty if it names none
+  std::set<std::string> files;                      ///< that it lists, by path within the folder
+  std::map<std::string, std::string> fingerprints;  ///< of those files, by the same paths
+  CutLengths lengths;                               ///< of their blades
+  std::set<std::string> found;                      ///< cuts for which they were sought, and found to serve
 };
 
 /// Reads it. Nothing where there is no report.json, or somebody else's; an error where it cannot be read or

@@ -267,17 +267,17 @@ Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) 
   return {};
 }
 
-std::optional<double> madeWithLength(const fs::path& folder) {
+CutLengths lengthsMadeWith(const fs::path& folder) {
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-  if (!record || !*record) return {};
-  const std::optional<double>& length = (*record)->bladeLength;
-  return length && *length > 0 && *length <= Blade::kLongest ? length : std::nullopt;
+  return record && *record ? (*record)->lengths : CutLengths();
 }
 
-std::optional<double> foundLength(const fs::path& folder) {
+CutLengths foundLengths(const fs::path& folder) {
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-  if (!record || !*record || (*record)->bestLength != (*record)->bladeLength) return {};
-  return madeWithLength(folder);
+  if (!record || !*record) return {};
+  CutLengths found = (*record)->lengths;
+  std::erase_if(found, [&](const auto& of) { return !(*record)->found.contains(of.first); });
+  return found;
 }
 
 }  // namespace bw::pipeline

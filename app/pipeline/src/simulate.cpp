@@ -250,7 +250,7 @@ void addSpeeds(ordered_json& object, const std::optional<RunSpeeds>& speeds) {
 }  // namespace
 
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context, std::optional<double> length,
+                              const RunContext& context, const CutLengths& lengths,
                               const std::function<void(const ProgramRun&)>& seen) {
   std::vector<std::string> broken;
   Result<ReadProgram> read = readProgram(program, broken);
@@ -262,11 +262,12 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   blade.length = run.motion.bladeLength;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
   if (design) {
-    // Of several cuts, each may have found a length of its own.
-    if ((!length || design->cuts.size() > 1) && run.motion.bladeLength > 0 &&
-        run.motion.bladeLength <= Blade::kLongest)
-      length = run.motion.bladeLength;
-    outcome = evaluate(*design, nullptr, context, Purpose::comparison, length);
+    CutLengths known = lengths;
+    if (run.motion.bladeLength > 0 && run.motion.bladeLength <= Blade::kLongest)
+      for (const Cut& each : design->cuts) known.try_emplace(each.id, run.motion.bladeLength);
+    outcome = evaluate(*design, nullptr, context, Purpose::comparison, known);
+    if (outcome.error && outcome.error->code != ErrorCode::cancelled && known != lengths)
+      outcome = evaluate(*design, nullptr, context, Purpose::comparison, lengths);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
     const Evaluation& e = outcome.evaluation;
     const auto [block, nearest] = cutOf(e, run.motion);

@@ -225,7 +225,7 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
   if (between) return text + "; " + moreStationsText(finding, "take more stations");
   if (range.count == 0) return text + "; " + otherBlockText(finding, true);
   if (const OtherLength* blade = remedyOf<OtherLength>(finding.remedies))
-    return text + "; try one of " + mm(blade->length, 6);
+    return text + "; try a blade of " + mm(blade->length, 6);
   text += cause.unheldLength
               ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) + ") would not serve"
               : "; no longer blade of this shape keeps the clearance";

@@ -14,6 +14,7 @@
 #include "bw/core/simulation/simulation.h"
 #include "simulation/run_speeds.h"
 #include "sweep/in_foam.h"
+#include "sweep/peaks.h"
 #include "sweep/surface_rows.h"
 
 namespace bw {
@@ -137,6 +138,8 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
   std::optional<SurfaceSampler::Foot> seed;
   std::vector<double> columns(kMeasured), arcs(kMeasured);
   std::vector<Elastica::State> states(kMeasured);
+  std::vector<double> farthest(kMeasured, -1);  // from the target, of each place, and when
+  std::vector<std::size_t> farthestRow(kMeasured, 0);
   for (std::size_t r = 0; r < blades.size(); ++r) {
     if (context.stopped()) return stoppedError();
     if (!runs.over(r)) continue;
@@ -179,6 +182,10 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       design += weight * seen.distance;
       away += weight * fromTarget;
       if (now.atInstant) surface.toDesignAtTargets = std::max(surface.toDesignAtTargets, seen.distance);
+      if (fromTarget > farthest[k]) {
+        farthest[k] = fromTarget;
+        farthestRow[k] = r;
+      }
       if (fromTarget > surface.toTargetMax) {
         surface.toTargetMax = fromTarget;
         surface.toTargetAt = spot;
@@ -189,6 +196,28 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       }
     }
     ++grid.rows;
+  }
+  // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
+  for (const std::size_t k : sweep::peaksOf(farthest)) {
+    const std::size_t r = farthestRow[k];
+    seed.reset();
+    const SimulatedBlade& then = blades[r];
+    const auto& [from, to] = runs.part(r);
+    const auto columnAt = [&](double place) {
+      return std::lerp(from, to, std::clamp(place, 0.0, kMeasured - 1.0) / (kMeasured - 1));
+    };
+    const auto placeAt = [&](double place) -> Vector3d {
+      return then.frame.toWorld(then.blade.at(runs.arc(columnAt(place))).point);
+    };
+    const sweep::Peak peak = sweep::peakBetween(double(k) - 1, double(k) + 1, [&](double at) {
+      const Vector3d place = placeAt(at);
+      const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
+      if (foot) seed = *foot;
+      return foot && foam.cuts(place, *foot) ? std::abs(sampler->offset(place, *foot)) : -1.0;
+    });
+    if (peak.value <= surface.toTargetMax) continue;
+    surface.toTargetMax = peak.value;
+    surface.toTargetAt = {placeAt(peak.place), then.time, then.instant};
   }
   if (area > 0) {
     surface.toDesignMean = design / area;

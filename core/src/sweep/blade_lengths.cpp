@@ -162,15 +162,50 @@ LengthRequest requestFor(LengthRequest request, double length, double clearance,
   return request;
 }
 
+/// The best of those that serve; null if none does.
+template <class Trade>
+RowTrial* bestOf(Trade& trade) {
+  RowTrial* best = nullptr;
+  for (RowTrial& one : trade.trials)
+    if (one.serves() && (!best || trade.isBetter(one, *best))) best = &one;
+  return best;
+}
+
+/// The one to ask about after so many that were refused.
+template <class Trade>
+RowTrial* nextOf(Trade& trade, int) {
+  return bestOf(trade);
+}
+
+/// Of lengths that are as firm the neighbours of one that was refused would be refused, too: the one farthest
+/// from all that do not serve and from the ends of what was tried.
+RowTrial* nextOf(BladeLengths& lengths, int refused) {
+  RowTrial* best = bestOf(lengths);
+  if (refused == 0 || !best) return best;
+  constexpr double kAsFirm = 1e-3;  // of margin
+  RowTrial* next = nullptr;
+  double most = -1;
+  for (RowTrial& one : lengths.trials) {
+    if (!one.serves() || one.rest != best->rest || one.margin < best->margin - kAsFirm) continue;
+    double room =
+        std::min(one.length / lengths.trials.front().length, lengths.trials.back().length / one.length);
+    for (const RowTrial& other : lengths.trials)
+      if (!other.serves())
+        room = std::min(room, std::max(one.length / other.length, other.length / one.length));
+    if (room <= most) continue;
+    most = room;
+    next = &one;
+  }
+  return next;
+}
+
 /// The first of those that serve, the best first, that serves as a whole; null if none is known to.
 template <class Trade>
 const RowTrial* confirmedOf(Trade& trade, const ServesWhole& whole) {
   const RowTrial* found = nullptr;
   bool misled = false;  // by the sections that were tried
   for (int asked = 0; asked < kMostConfirmed && !found; ++asked) {
-    RowTrial* best = nullptr;
-    for (RowTrial& one : trade.trials)
-      if (one.serves() && (!best || trade.isBetter(one, *best))) best = &one;
+    RowTrial* best = nextOf(trade, asked);
     if (!best) return nullptr;
     if (whole(*best)) {
       found = best;

@@ -18,6 +18,9 @@ namespace {
 constexpr int kRowTarget = 240;
 /// Rows from station to station where these lie evenly, at least and at most.
 constexpr int kFewestBetween = 2, kMostBetween = 64;
+/// mm that an end of a row may lie along it from where that of the next one does: triangles between them cut
+/// corners.
+constexpr double kWidestSlide = 8;
 /// Rows that are kept of those for pictures and files: twice as many as a picture of the whole shows.
 constexpr int kMostRows = 2 * kRowTarget + 1;
 
@@ -34,14 +37,15 @@ Result<void> enoughStations(const Sweep& sweep) {
       "stations", double(count), double(kFewestStations));
 }
 
-std::vector<int> stationRows(const std::vector<double>& travel) {
+std::vector<int> stationRows(const std::vector<double>& travel, const std::vector<double>& slides) {
   const int intervals = int(travel.size()) - 1;
   const double between = std::clamp(kRowTarget / intervals, kFewestBetween, kMostBetween);
   const double width = (travel.back() - travel.front()) / intervals;
   std::vector<int> rows(1, 0);
   for (int i = 0; i < intervals; ++i) {
     const double share = width > 0 ? (travel[std::size_t(i + 1)] - travel[std::size_t(i)]) / width : 1.0;
-    rows.push_back(rows.back() + std::max(kFewestBetween, int(std::lround(between * share))));
+    const int asked = int(std::ceil(slides[std::size_t(i)] / kWidestSlide));
+    rows.push_back(rows.back() + std::max({kFewestBetween, int(std::lround(between * share)), asked}));
   }
   return rows;
 }

@@ -16,9 +16,11 @@ inline constexpr int kColumns = 101;
 [[nodiscard]] Result<void> enoughStations(const Sweep& sweep);
 
 /// The row of the sampled cut surface on which each station lies, from 0. `travel`: mm along the cutting
-/// direction of at least two stations, ascending. Wide intervals get more rows (docs/mathematics.md,
+/// direction of at least two stations, ascending; `slides`: mm that the ends move along the row from each to
+/// the next. Wide intervals, and those in which ends slide far, get more rows (docs/mathematics.md,
 /// deviation).
-[[nodiscard]] std::vector<int> stationRows(const std::vector<double>& travel);
+[[nodiscard]] std::vector<int> stationRows(const std::vector<double>& travel,
+                                           const std::vector<double>& slides);
 
 /// The rows of `rows` that pictures and files keep: all where they are few, else at most 481, evenly spread,
 /// the first, the last and `worst` among them, ascending.

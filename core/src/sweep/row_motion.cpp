@@ -14,6 +14,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/held_blade.h"
 #include "sweep/in_foam.h"
+#include "sweep/peaks.h"
 #include "sweep/remedies.h"
 #include "sweep/smooth_way.h"
 #include "sweep/surface_rows.h"
@@ -378,6 +379,8 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   const sweep::InFoam foam(row.block);
   std::vector<double> off(row.poses.size(), 0);
   std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
+  std::vector<double> farthest(kPlaces, -1);  // from the target, of each place, and when
+  std::vector<const RowMotion::Instant*> farthestAt(kPlaces, nullptr);
   for (const RowMotion::Instant& instant : motion.instants) {
     if (context.stopped()) return stoppedError();
     for (std::size_t c = 0; c < instant.places.size(); ++c) {
@@ -387,12 +390,37 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       feet[c] = *foot;
       if (!foam.cuts(place, *foot)) continue;
       const double away = std::abs(sampler->offset(place, *foot));
+      if (away > farthest[c]) {
+        farthest[c] = away;
+        farthestAt[c] = &instant;
+      }
       if (away > way.deviationMax) {
         way.deviationMax = away;
         way.worst = place;
       }
       off[instant.station] = std::max(off[instant.station], shown.look(place).distance);
     }
+  }
+  // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
+  for (const std::size_t c : sweep::peaksOf(farthest)) {
+    const std::vector<Vector3d>& places = farthestAt[c]->places;
+    std::optional<SurfaceSampler::Foot> seed;
+    const auto first = std::size_t(std::clamp<std::ptrdiff_t>(std::ptrdiff_t(c) - 1, 0, kPlaces - 4));
+    const auto placeAt = [&](double at) -> Vector3d {
+      const double t = at - double(first), a = t, b = t - 1, d = t - 2, e = t - 3;
+      return -b * d * e / 6 * places[first] + a * d * e / 2 * places[first + 1] -
+             a * b * e / 2 * places[first + 2] + a * b * d / 6 * places[first + 3];
+    };
+    const sweep::Peak peak = sweep::peakBetween(
+        std::max(0.0, double(c) - 1), std::min(double(c) + 1, kPlaces - 1.0), [&](double at) {
+          const Vector3d place = placeAt(at);
+          const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
+          if (foot) seed = *foot;
+          return foot && foam.cuts(place, *foot) ? std::abs(sampler->offset(place, *foot)) : -1.0;
+        });
+    if (peak.value <= way.deviationMax) continue;
+    way.deviationMax = peak.value;
+    way.worst = placeAt(peak.place);
   }
   way.fromShown = std::ranges::max(off);
   for (const sweep::Stretch& at : sweep::stretchesOf(

@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
 #include "sweep/in_foam.h"
+#include "sweep/peaks.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
@@ -44,6 +46,20 @@ std::vector<double> skinDistances(const std::vector<BladePose>& poses, const Spl
     }
   }
   return distances;
+}
+
+/// mm, how far an end of each row of points lies along it from that of the next one.
+std::vector<double> slidesOf(const SurfaceGrid& grid) {
+  std::vector<double> slides;
+  const int last = grid.columns - 1;
+  for (int i = 0; i + 1 < grid.rows; ++i) {
+    const Eigen::Vector3d along = (grid.at(i, last) - grid.at(i, 0)).normalized();
+    double most = 0;
+    for (const int end : {0, last})
+      most = std::max(most, std::abs((grid.at(i + 1, end) - grid.at(i, end)).dot(along)));
+    slides.push_back(most);
+  }
+  return slides;
 }
 
 /// Between which of these rows, ascending, a row lies: that and the next one.
@@ -128,7 +144,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  const std::vector<int> rowOf = sweep::stationRows(travel);  // of the course
+  const std::vector<int> rowOf = sweep::stationRows(travel, slidesOf(grid));  // of the course
   for (const std::size_t at : stations) result.stationRow.push_back(rowOf[at]);
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
@@ -222,8 +238,48 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
     result.stationDeviation.push_back(largest);
   }
   summary.deviationMax = std::abs(deviation[worst]);
+
+  // Between two columns it may be more: where one is the farthest of its neighbours, that is looked at.
+  std::vector<double> farthest(kColumns, -1);
+  std::vector<int> farthestRow(kColumns, 0);
+  for (int row = 0; row < cut.rows; ++row)
+    for (std::size_t c = 0; c < kColumns; ++c)
+      if (const std::size_t k = std::size_t(row) * kColumns + c;
+          counts[k] && std::abs(deviation[k]) > farthest[c]) {
+        farthest[c] = std::abs(deviation[k]);
+        farthestRow[c] = row;
+      }
+  const std::unique_ptr<SurfaceSampler> sampler = target.clone();
+  for (const std::size_t c : sweep::peaksOf(farthest)) {
+    const std::size_t s = intervalOf(result.stationRow, farthestRow[c]);
+    for (const int row : {farthestRow[c], result.stationRow[s], result.stationRow[s + 1]}) {
+      const std::size_t at = std::size_t(row) * kColumns + c;
+      if (!counts[at]) continue;
+      const std::size_t i = intervalOf(rowOf, row);
+      const double v = std::lerp(chord[i], chord[i + 1], double(row - rowOf[i]) / (rowOf[i + 1] - rowOf[i]));
+      std::optional<SurfaceSampler::Foot> seed;
+      const auto offAt = [&](double u) {
+        const Eigen::Vector3d p = result.surface.value(u, v);
+        const Result<SurfaceSampler::Foot> foot = sampler->closest(p, seed ? &*seed : nullptr);
+        if (foot) seed = *foot;
+        return foot && foam.cuts(p, *foot) ? std::abs(sampler->offset(p, *foot)) : -1.0;
+      };
+      const double peak = sweep::peakBetween(std::max(0.0, double(c) - 1) / (kColumns - 1),
+                                             std::min(double(c) + 1, kColumns - 1.0) / (kColumns - 1), offAt)
+                              .value;
+      for (std::size_t k = s; k <= s + 1; ++k)
+        if (row == result.stationRow[k])
+          result.stationDeviation[k] = std::max(result.stationDeviation[k], peak);
+      if (peak <= summary.deviationMax) continue;
+      summary.deviationMax = peak;
+      worst = at;
+    }
+  }
   summary.deviationRms = std::sqrt(squares);
   summary.withinTolerance = std::max(0.0, 1 - beyond);
+  // A place that none of the samples stands for is no area, but not all is within.
+  if (summary.deviationMax > request.tolerance)
+    summary.withinTolerance = std::min(summary.withinTolerance, std::nextafter(1.0, 0.0));
   summary.angleMean = angles * kDegree;
   for (Field& field : cut.fields)
     if (!cutMap(field.name)->ofBlade)

@@ -115,6 +115,8 @@ class Workbench : public QObject {
   const geometry::Target* newestTarget() const;
   /// True while the result on the screen belongs to an older design.
   bool stale() const;
+  /// True where the present design came to no result, so that what is on the screen is an older one's.
+  bool failed() const { return !runner_.busy() && runner_.error().has_value(); }
   /// True if the result on the screen is the whole result of the present design.
   bool current() const;
   model::StepStates stepStates() const;
@@ -225,7 +227,8 @@ class Workbench : public QObject {
   const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
 
   void tell(const Notice& notice);
-  /// A text as a sentence of its own, with a capital, unless it begins with a name of the design or of a file.
+  /// A text as a sentence of its own, with a capital, unless it begins with a name of the design or of a
+  /// file.
   QString asSentence(QString text) const;
   void tell(Topic topic, Severity severity, const QString& text) { tell({severity, text, {}, {}, topic}); }
   void tell(Topic topic, const Error& error) {

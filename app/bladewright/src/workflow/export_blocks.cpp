@@ -67,6 +67,8 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id, const Fi
     stations += int(cut.result()->size());
   }
   if (whole) standing.time = timeText(time);
+  if (bench.stale() && bench.failed())
+    return {"error", &Colours::error, tr("no result"), tr("The messages tell why"), {}};
   if (bench.stale()) {
     standing.icon = "stale";
     standing.word = tr("out of date");

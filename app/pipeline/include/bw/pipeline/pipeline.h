@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -241,14 +242,17 @@ enum class Purpose { live, files, comparison };
 /// The most blocks that are evaluated together.
 inline constexpr int kMostBlocksMet = 256;
 
+/// mm, lengths of blades by the ids of their cuts.
+using CutLengths = std::map<std::string, double>;
+
 /// Evaluates a design. Where it has several blocks, those that its surface meets by less than a square
 /// centimetre are left out, and of the cuts of one block those that meet nothing of what is left. Where cuts
 /// of one surface go on from block to block, they have as many stations, and those that leave their number
 /// open get more until the joints hold. Stages of `previous` whose keys are unchanged are used again, so that
 /// a change recomputes only what depends on it. Where the design leaves the length of its blade open,
-/// `length` (mm) is the one that was found before: it is taken in place of a search.
+/// `lengths` are those that were found before: they are taken in place of searches.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
-                 Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
+                 Purpose purpose = Purpose::live, const CutLengths& lengths = {});
 
 /// The stage that reads the first source of a design, beside its evaluation: whoever evaluates the design
 /// with it as what was before does not read the file once more, unless it has changed since.

@@ -41,9 +41,9 @@ struct Policy {
   std::filesystem::path programFolder = {};           ///< where these lie in the folder
   MoreFiles more = {};                                ///< beside the results
   Wanted wanted = {};                                 ///< of the results, and blocks of the programs
-  /// mm, where the design leaves the length of its blade open: the one that was found for it before
-  /// (`foundLength`), in place of a search.
-  std::optional<double> length = std::nullopt;
+  /// Where the design leaves the length of its blade open: those that were found for it before
+  /// (`foundLengths`), in place of searches.
+  CutLengths lengths = {};
 };
 
 /// What was made of a design, or how far that came.

@@ -34,10 +34,10 @@ Findings compareWithReport(const std::filesystem::path& path);
 /// One without a report passes: the design speaks for itself.
 Result<void> checkOneRun(const std::filesystem::path& folder, const std::string& designFile);
 
-/// mm, the length of the blade that the results in a folder were made with, whether their design gave it or
-/// left it open. Empty where no report tells.
-std::optional<double> madeWithLength(const std::filesystem::path& folder);
-/// The same where that length was sought, and found to serve: a search would find it again.
-std::optional<double> foundLength(const std::filesystem::path& folder);
+/// The lengths of the blades that the results in a folder were made with, whether their design gave them or
+/// left them open. Empty where no report tells.
+CutLengths lengthsMadeWith(const std::filesystem::path& folder);
+/// Of these the ones that were sought, and found to serve: a search would find them again.
+CutLengths foundLengths(const std::filesystem::path& folder);
 
 }  // namespace bw::pipeline

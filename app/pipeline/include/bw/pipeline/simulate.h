@@ -50,13 +50,13 @@ struct ProgramRun {
 /// the surface that the design shows and its target. Without a design the blade has no weight, and its shape
 /// alone is followed. With one the ways to the block and from it are run too, as far as the text tells them,
 /// and home, approach, retreat, targets and pace are held against what the design planned. Where the design
-/// leaves the length of its blade open, it is `length` (mm), that of the results that the program belongs to,
-/// or else what the program tells. Errors: those of reading, of the design's evaluation, of `simulate`;
-/// badInput where no dialect reads the files, or the blade's length is not that of the design. `seen` is
-/// called, on this thread, as soon as all is known that pictures and the surface tell, while energy barriers
-/// are still sought on others.
+/// leaves the lengths of blades open, they are `lengths`, those of the results that the program belongs to,
+/// or else what the program tells; where that leaves another cut of its block without a blade, they are
+/// sought. Errors: those of reading, of the design's evaluation, of `simulate`; badInput where no dialect
+/// reads the files, or the blade's length is not that of the design. `seen` is called, on this thread, as
+/// soon as all is known that pictures and the surface tell, while energy barriers are still sought on others.
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context, std::optional<double> length = std::nullopt,
+                              const RunContext& context, const CutLengths& lengths = {},
                               const std::function<void(const ProgramRun&)>& seen = {});
 
 /// The text of simulation.json.
