@@ -171,17 +171,17 @@ RowTrial* bestOf(Trade& trade) {
   return best;
 }
 
-/// The one to ask about after so many that were refused.
+/// The one to ask about after one that was refused, if any was.
 template <class Trade>
-RowTrial* nextOf(Trade& trade, int) {
+RowTrial* nextOf(Trade& trade, const RowTrial*) {
   return bestOf(trade);
 }
 
 /// Of lengths that are as firm the neighbours of one that was refused would be refused, too: the one farthest
 /// from all that do not serve and from the ends of what was tried.
-RowTrial* nextOf(BladeLengths& lengths, int refused) {
+RowTrial* nextOf(BladeLengths& lengths, const RowTrial* refused) {
   RowTrial* best = bestOf(lengths);
-  if (refused == 0 || !best) return best;
+  if (!refused || !best || std::abs(best - refused) > 1) return best;
   constexpr double kAsFirm = 1e-3;  // of margin
   RowTrial* next = nullptr;
   double most = -1;
@@ -203,14 +203,16 @@ RowTrial* nextOf(BladeLengths& lengths, int refused) {
 template <class Trade>
 const RowTrial* confirmedOf(Trade& trade, const ServesWhole& whole) {
   const RowTrial* found = nullptr;
-  bool misled = false;  // by the sections that were tried
+  const RowTrial* refused = nullptr;  // the last one
+  bool misled = false;                // by the sections that were tried
   for (int asked = 0; asked < kMostConfirmed && !found; ++asked) {
-    RowTrial* best = nextOf(trade, asked);
+    RowTrial* best = nextOf(trade, refused);
     if (!best) return nullptr;
     if (whole(*best)) {
       found = best;
     } else {
       best->rest = Rest::lost;
+      refused = best;
       misled = true;
     }
   }

@@ -84,18 +84,34 @@ void SmoothWay::findSlopes() {
 
 void SmoothWay::boundEnds() {
   constexpr double kSteepest = 3;  // times the slope of a chord: what Fritsch and Carlson show to be enough
-  const std::size_t n = numbers_.size();
+  constexpr double kSharper = 4;   // than the bends of what is smooth two stations away: a corner
+  constexpr double kSeen = 20;     // mm that it turns the way to the next station
+  constexpr std::ptrdiff_t kReach = 2;  // stations to which cubics carry on what they make of it
+  const auto n = std::ptrdiff_t(numbers_.size());
   if (n < 2) return;
-  const auto chord = [&](std::size_t k, int end) {
-    return (numbers_[k + 1](end) - numbers_[k](end)) / wayAfter(k);
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    for (const int end : {6, 7}) {
-      const double before = chord(i > 0 ? i - 1 : 0, end), after = chord(i + 1 < n ? i : n - 2, end);
-      const double most = before * after <= 0 ? 0 : kSteepest * std::min(std::abs(before), std::abs(after));
-      double& slope = slopes_[i](end);
-      slope = std::clamp(slope, before < 0 ? -most : 0, before < 0 ? 0 : most);
+  for (const int end : {6, 7}) {
+    const auto chord = [&](std::ptrdiff_t k) {
+      k = std::clamp<std::ptrdiff_t>(k, 0, n - 2);
+      return (numbers_[std::size_t(k + 1)](end) - numbers_[std::size_t(k)](end)) / wayAfter(std::size_t(k));
+    };
+    const auto turn = [&](std::ptrdiff_t i) {
+      return i > 0 && i + 1 < n ? std::abs(chord(i) - chord(i - 1)) : 0;
+    };
+    const auto isCorner = [&](std::ptrdiff_t i) {
+      const double beside = std::max(turn(i - kReach), turn(i + kReach));
+      return n > 4 && turn(i) > kSharper * beside && turn(i) * wayAfter(std::size_t(i)) > kSeen;
+    };
+    for (std::ptrdiff_t i = 1; i + 1 < n; ++i) {
+      if (!isCorner(i)) continue;
+      for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kReach); k <= std::min(n - 1, i + kReach);
+           ++k) {
+        const double before = chord(k - (k > 0)), after = chord(k);
+        const double most = before * after <= 0 ? 0 : kSteepest * std::min(std::abs(before), std::abs(after));
+        double& slope = slopes_[std::size_t(k)](end);
+        slope = std::clamp(slope, before < 0 ? -most : 0, before < 0 ? 0 : most);
+      }
     }
+  }
 }
 
 }  // namespace bw::sweep

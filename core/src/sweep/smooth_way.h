@@ -34,8 +34,9 @@ class SmoothWay {
   Numbers endSlope(bool front) const;
   /// Gauss's elimination of the tridiagonal equations: at each inner station the second derivatives agree.
   void findSlopes();
-  /// Where the ends of the part run in a corner, as at the corner of a block, no cubic goes past either:
-  /// there would be more of it than the stations have. Slopes are bounded as those of a monotone cubic.
+  /// Beside a station where the ends of the part run in a corner, as at the corner of a block, no cubic goes
+  /// past either: there would be more of it than the stations have. Slopes are bounded as those of a monotone
+  /// cubic.
   void boundEnds();
 
   const Sweep& row_;
