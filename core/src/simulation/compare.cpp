@@ -202,9 +202,9 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     const std::size_t r = farthestRow[k];
     seed.reset();
     const SimulatedBlade& then = blades[r];
-    const auto& [from, to] = runs.part(r);
+    const auto& over = runs.part(r);
     const auto columnAt = [&](double place) {
-      return std::lerp(from, to, std::clamp(place, 0.0, kMeasured - 1.0) / (kMeasured - 1));
+      return std::lerp(over.from, over.to, std::clamp(place, 0.0, kMeasured - 1.0) / (kMeasured - 1));
     };
     const auto placeAt = [&](double place) -> Vector3d {
       return then.frame.toWorld(then.blade.at(runs.arc(columnAt(place))).point);

@@ -16,6 +16,7 @@
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/kerf_field.h"
+#include "bw/pipeline/pipeline.h"
 #include "bw/robotio/text/program_text.h"
 
 namespace bw::pipeline {
