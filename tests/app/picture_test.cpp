@@ -152,7 +152,7 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
     design.process.tolerance = 0.001;
     design.process.clearance = 400;
   });
-  ASSERT_TRUE(settle());
+  ASSERT_TRUE(settleInFull()) << "the list is the last one";
   window().commands()["tab.messages"]->trigger();
   // Look elsewhere first: the finding must come into the picture from anywhere.
   Bounds away;

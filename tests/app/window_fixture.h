@@ -73,7 +73,7 @@ class WindowTest : public ::testing::Test {
   /// Waits besides until nothing more is added to that result, where there is one.
   bool settleInFull() {
     return settle() &&
-           QTest::qWaitFor([&] { return !bench().sweep() || bench().shownCut()->lengths.value != nullptr; },
+           QTest::qWaitFor([&] { return !bench().sweep() || bench().shownCut()->margins.value != nullptr; },
                            kPatience);
   }
 

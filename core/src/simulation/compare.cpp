@@ -200,7 +200,6 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
   // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
   for (const std::size_t k : sweep::peaksOf(farthest)) {
     const std::size_t r = farthestRow[k];
-    seed.reset();
     const SimulatedBlade& then = blades[r];
     const auto& over = runs.part(r);
     const auto columnAt = [&](double place) {
@@ -209,12 +208,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     const auto placeAt = [&](double place) -> Vector3d {
       return then.frame.toWorld(then.blade.at(runs.arc(columnAt(place))).point);
     };
-    const sweep::Peak peak = sweep::peakBetween(double(k) - 1, double(k) + 1, [&](double at) {
-      const Vector3d place = placeAt(at);
-      const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
-      if (foot) seed = *foot;
-      return foot && foam.cuts(place, *foot) ? std::abs(sampler->offset(place, *foot)) : -1.0;
-    });
+    const sweep::Peak peak = sweep::farthestBetween(double(k) - 1, double(k) + 1, placeAt, *sampler, foam);
     if (peak.value <= surface.toTargetMax) continue;
     surface.toTargetMax = peak.value;
     surface.toTargetAt = {placeAt(peak.place), then.time, then.instant};

@@ -4,9 +4,14 @@
 // The largest of what is known at samples alone: what is steep beside them lies between two of them.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <functional>
 #include <vector>
+
+#include "bw/core/surface/surface_sampler.h"
+#include "sweep/in_foam.h"
 
 namespace bw::sweep {
 
@@ -14,11 +19,13 @@ namespace bw::sweep {
 /// the highest first, sixteen at most. What is below 0 is none.
 std::vector<std::size_t> peaksOf(const std::vector<double>& samples);
 
-/// The highest place and value that golden section finds between two places, between which there is one peak;
-/// 14 values are asked for.
+/// The place of a curve farthest from the target, and its distance in mm, that golden section finds between
+/// two numbers, between which there is one such place; 14 closest points are asked for. What does not cut
+/// counts −1. `placeAt`: the curve.
 struct Peak {
   double place = 0, value = 0;
 };
-Peak peakBetween(double from, double to, const std::function<double(double)>& valueAt);
+Peak farthestBetween(double from, double to, const std::function<Eigen::Vector3d(double)>& placeAt,
+                     SurfaceSampler& target, const InFoam& foam);
 
 }  // namespace bw::sweep

@@ -404,20 +404,14 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
   for (const std::size_t c : sweep::peaksOf(farthest)) {
     const std::vector<Vector3d>& places = farthestAt[c]->places;
-    std::optional<SurfaceSampler::Foot> seed;
     const auto first = std::size_t(std::clamp<std::ptrdiff_t>(std::ptrdiff_t(c) - 1, 0, kPlaces - 4));
     const auto placeAt = [&](double at) -> Vector3d {
       const double t = at - double(first), a = t, b = t - 1, d = t - 2, e = t - 3;
       return -b * d * e / 6 * places[first] + a * d * e / 2 * places[first + 1] -
              a * b * e / 2 * places[first + 2] + a * b * d / 6 * places[first + 3];
     };
-    const sweep::Peak peak = sweep::peakBetween(
-        std::max(0.0, double(c) - 1), std::min(double(c) + 1, kPlaces - 1.0), [&](double at) {
-          const Vector3d place = placeAt(at);
-          const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
-          if (foot) seed = *foot;
-          return foot && foam.cuts(place, *foot) ? std::abs(sampler->offset(place, *foot)) : -1.0;
-        });
+    const sweep::Peak peak = sweep::farthestBetween(
+        std::max(0.0, double(c) - 1), std::min(double(c) + 1, kPlaces - 1.0), placeAt, *sampler, foam);
     if (peak.value <= way.deviationMax) continue;
     way.deviationMax = peak.value;
     way.worst = placeAt(peak.place);

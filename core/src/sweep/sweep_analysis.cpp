@@ -257,16 +257,10 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
       if (!counts[at]) continue;
       const std::size_t i = intervalOf(rowOf, row);
       const double v = std::lerp(chord[i], chord[i + 1], double(row - rowOf[i]) / (rowOf[i + 1] - rowOf[i]));
-      std::optional<SurfaceSampler::Foot> seed;
-      const auto offAt = [&](double u) {
-        const Eigen::Vector3d p = result.surface.value(u, v);
-        const Result<SurfaceSampler::Foot> foot = sampler->closest(p, seed ? &*seed : nullptr);
-        if (foot) seed = *foot;
-        return foot && foam.cuts(p, *foot) ? std::abs(sampler->offset(p, *foot)) : -1.0;
-      };
-      const double peak = sweep::peakBetween(std::max(0.0, double(c) - 1) / (kColumns - 1),
-                                             std::min(double(c) + 1, kColumns - 1.0) / (kColumns - 1), offAt)
-                              .value;
+      const double before = std::max(0.0, double(c) - 1) / (kColumns - 1),
+                   after = std::min(double(c) + 1, kColumns - 1.0) / (kColumns - 1);
+      const auto placeAt = [&](double u) { return result.surface.value(u, v); };
+      const double peak = sweep::farthestBetween(before, after, placeAt, *sampler, foam).value;
       for (std::size_t k = s; k <= s + 1; ++k)
         if (row == result.stationRow[k])
           result.stationDeviation[k] = std::max(result.stationDeviation[k], peak);

@@ -417,6 +417,7 @@ void SurfaceHandles::begin(Pull pull) {
 
 void SurfaceHandles::seek() {
   pull_->ordered = {orderedBy(-pull_->farthest), orderedBy(pull_->farthest)};
+  pull_->stops = {};
   bench_.runner().seekReach(
       [design = bench_.design(), cut = bench_.cut(), base = pull_->base, moved = held(), along = pull_->along,
        symmetric = habits_.symmetric](double by) {
@@ -591,16 +592,17 @@ void SurfaceHandles::keepWithin() {
   if (!pull_) return;
   bench_.runner().preferReach(pull_->wished >= 0);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
-  const WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
-  QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
-  double by = may.by;
-  pull_->wentBack = pull_->letGoAt && (pull_->wentBack || may.stoppedBy);
-  if (pull_->wentBack && reach && std::abs(by) > std::abs(pull_->by) && !reach->knows(pull_->wished)) {
+  WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
+  const std::size_t side = pull_->wished < 0 ? 0 : 1;
+  if (std::optional<pipeline::Reach::End>& stop = pull_->stops[side]; may.stoppedBy) {
+    stop = reach->ends[side];
+  } else if (stop && reach && !reach->knows(pull_->wished)) {
     // What sketches barred is looked at once more. Until that is sure it stays, and does not leap to the
     // hand.
-    by = pull_->by;
-    why = pull_->stoppedBy;
+    may = {lastBefore(stop->free, pulledFrom(), pull_->step), stop->bar};
   }
+  QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
+  double by = may.by;
   if (const double ordered = orderedBy(by); ordered != by) {
     by = lastBefore(ordered, pulledFrom(), pull_->step);
     why = tr("a point may not overtake its neighbour");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bw/core/shape/designed_surface.h"
+#include "bw/pipeline/reach.h"
 #include "bw/scene/scene.h"
 #include "bw/view/scene_view.h"
 #include "controls/hand_pace.h"
@@ -128,7 +129,6 @@ class SurfaceHandles : public QObject {
     Eigen::Vector2d began = {0, 0};        ///< mm across and up, where the hand took hold
     double by = 0;                         ///< mm that it moved since
     std::optional<double> letGoAt = {};    ///< that, before it was known whether it may stay there
-    bool wentBack = false;                 ///< since then
     int mergeId = -1;
     bool moved = false;
     double wished = 0;                             ///< mm, where the hand is
@@ -137,6 +137,8 @@ class SurfaceHandles : public QObject {
     double farthest = kFarthest;                   ///< mm, so far its border is sought
     std::array<double, 2> ordered = {};            ///< mm, so far the points keep their order
     QString stoppedBy = {};                        ///< why it lags behind the hand
+    /// Where it was stopped last, below and above.
+    std::array<std::optional<pipeline::Reach::End>, 2> stops = {};
     std::vector<Snap> snaps = {};                  ///< of where it is wished to be
   };
 

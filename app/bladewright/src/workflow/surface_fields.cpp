@@ -128,7 +128,7 @@ Result<SurfaceShape> shapeOfKind(int kind, const SplineSurface& before) {
 QString missedAimText(std::size_t count, double deviation, double aim) {
   if (deviation <= aim) return {};
   return count < std::size_t(BladesSurface::kMost)
-             ? QObject::tr("; %1 was aimed at, but a blade itself comes no nearer there").arg(lengthText(aim))
+             ? QObject::tr("; %1 was aimed at, but nothing nearer was found").arg(lengthText(aim))
              : QObject::tr("; %1 was aimed at, which takes more of them").arg(lengthText(aim));
 }
 
