@@ -171,7 +171,7 @@ TEST(Wall, TakesStationsUntilItsJointsHold) {
     EXPECT_EQ(block.cuts.front().result()->size(), count) << "as many in each block";
   ASSERT_GT(before.joints.value->gapMax(), 0);
   // Half of what is there between the stations asks for more of them.
-  design.process.jointGap = 0.6 * before.joints.value->gapMax();
+  design.process.jointGap = 0.75 * before.joints.value->gapMax();
   const Evaluation after = evaluate(design, nullptr, {}).evaluation;
   EXPECT_EQ(after.result()->size(), 2 * count - 1);
   EXPECT_LE(after.joints.value->gapMax(), design.process.jointGap);

@@ -265,6 +265,32 @@ TEST(RowBounds, EndsAndTangentsAreMetWhereAnArchBecomesAHollow) {
   }
 }
 
+TEST(RowBounds, WhereEndsAndTangentsAreAskedForGripsGoStraightOnBesideSectionsThatDo) {
+  // The same curve everywhere, higher or lower: what a blade that meets its ends has left to choose costs
+  // next to nothing, and no solver that is led along the border of what is asked for comes to its end.
+  constexpr int kRows = 21;
+  constexpr double kWide = 300, kPitch = 40;
+  const auto sections = test::sectionsOf(kRows, kPitch, [](int i) {
+    return test::graphCurve(kWide, [=](double x) {
+      return 25 * std::cos(kPi * (x + 400) / 900) + 6 * std::sin(kPitch * i / 180);
+    });
+  });
+  const Box foam = test::blockUnder(kWide, kPitch * (kRows - 1), -kWide, kWide);
+  test::RowSettings settings = test::flatRow(800);
+  settings.fitEndpoints = settings.fitTangents = true;
+  Findings findings;
+  const Result<Sweep> row = buildSweep(sections, settings, foam,
+                                       PlaneFamily::across(foam, -Eigen::Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(row) << row.error().message;
+  for (std::size_t i = 0; i < row->poses.size(); ++i) {
+    EXPECT_NE(row->fits[i].fit.status, FitStatus::infeasible) << i;
+    EXPECT_LT(row->fits[i].fit.hausdorff, settings.tolerance) << i;
+    if (i == 0) continue;
+    const Eigen::Vector3d moved = row->poses[i].leftPoint() - row->poses[i - 1].leftPoint();
+    EXPECT_LT(std::abs(moved.x()), 0.5 * kPitch) << i << ": along the section";
+  }
+}
+
 TEST(RowBounds, ARowThatFollowsAHandLiesAsNearAsOneFoundAnew) {
   const test::RowSettings settings = heavy(642);
   const auto found = [&](const std::vector<Section>& sections) {

@@ -26,7 +26,9 @@ constexpr double kHaste = 5e-3;      // of 1 mm, on that way, by which the grips
 constexpr double kSlideRate = 1;     // mm a mm of travel, along the section's chord, or
 constexpr double kSwingRate = 5;  // mm a mm, a quarter of the blade from the grip, which turns twice as fast
 constexpr double kOwnTurn = 1.5;  // for its section: so many times as fast as the section's end turns
-constexpr double kDemand = 1e3;   // of 1 mm that is missed of ends, tangents or length that are asked for
+constexpr double kDemand = 1e3;   // of 1 mm that is missed of ends, tangents or length that are asked for;
+constexpr std::array kFirst = {10.0, 100.0};  // of a row before: at once it would be led through a narrow
+                                              // bent valley, by short steps
 
 /// What one station asks of its own blade.
 class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
@@ -46,18 +48,22 @@ class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
 /// What the request asks of the part that cuts.
 class DemandCost : public ceres::SizedCostFunction<kStationDemands, 6> {
  public:
-  DemandCost(const Station& station, double arm) : station_(station) { weights_ << 1, 1, arm, arm, 1; }
+  /// `demand`: what 1 mm costs, which may change.
+  DemandCost(const Station& station, double arm, const double& demand) : station_(station), demand_(demand) {
+    weights_ << 1, 1, arm, arm, 1;
+  }
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    Demands::Map(residuals) = kDemand * weights_.cwiseProduct(station_.demands);
+    Demands::Map(residuals) = demand_ * weights_.cwiseProduct(station_.demands);
     if (jacobians && jacobians[0])
       Eigen::Matrix<double, kStationDemands, 6, Eigen::RowMajor>::Map(jacobians[0]) =
-          kDemand * weights_.asDiagonal() * station_.byDemands;
+          demand_ * weights_.asDiagonal() * station_.byDemands;
     return station_.good;
   }
 
  private:
   using Demands = Eigen::Matrix<double, kStationDemands, 1>;
   const Station& station_;
+  const double& demand_;
   Demands weights_;
 };
 
@@ -172,7 +178,7 @@ class BesideCost : public ceres::SizedCostFunction<6, 6> {
 }  // namespace
 
 RowProblem::RowProblem(const Row& row, std::vector<Station*> stations, const Station* beside)
-    : row_(row), stations_(std::move(stations)), problem_([this] {
+    : row_(row), stations_(std::move(stations)), demand_(kDemand), problem_([this] {
         ceres::Problem::Options options;
         options.evaluation_callback = this;
         return options;
@@ -182,7 +188,7 @@ RowProblem::RowProblem(const Row& row, std::vector<Station*> stations, const Sta
     problem_.AddResidualBlock(new OwnCost(*station), nullptr, station->numbers);
   if (row.demands())
     for (Station* station : stations_)
-      problem_.AddResidualBlock(new DemandCost(*station, row.unit()), nullptr, station->numbers);
+      problem_.AddResidualBlock(new DemandCost(*station, row.unit(), demand_), nullptr, station->numbers);
   const std::vector<BladePose>& poses = sweep.poses;
   const double mean = std::abs(poses.back().travel - poses.front().travel) /
                       double(std::max<std::size_t>(1, poses.size() - 1));
@@ -223,6 +229,19 @@ bool RowProblem::look(bool slopes) {
 }
 
 void RowProblem::solve() {
+  if (row_.demands() && stations_.size() > 1)
+    for (const double demand : kFirst) {
+      demand_ = demand;
+      settle();
+      // What was far from its margins may have come near to them.
+      for (Station* station : stations_)
+        if (station->good) row_.watch(*station);
+    }
+  demand_ = kDemand;
+  settle();
+}
+
+void RowProblem::settle() {
   constexpr int kIterations = 40;
   constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
   if (!look()) return;

@@ -35,11 +35,14 @@ class RowProblem : ceres::EvaluationCallback {
 
  private:
   void PrepareForEvaluation(bool slopes, bool isNew) override;
+  /// Chooses the grips with what is asked for at its cost of now.
+  void settle();
   /// Takes stations back to where the solver stands, whose last step is mostly none that it takes.
   void stepBack();
 
   const Row& row_;
   std::vector<Station*> stations_;
+  double demand_;  ///< what it costs to miss 1 mm of what is asked for, in parts of the tolerance
   bool solving_ = false, first_ = true;  ///< where the solver begins they have been looked at
   std::vector<Station> stood_;           ///< where it stood before the step that it looks at
   bool stands_ = false;                  ///< it took the last step
