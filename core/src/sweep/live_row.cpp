@@ -114,7 +114,7 @@ bool LiveRow::Work::meets() const {
 /// asked for: then the row is better found anew.
 bool LiveRow::Work::settle() {
   if (isStill()) return true;
-  problem->solve();
+  problem->settle();
   return meets() && linearise();
 }
 

@@ -29,14 +29,14 @@ class RowProblem : ceres::EvaluationCallback {
   bool look(bool slopes = true);
   /// Chooses the grips.
   void solve();
+  /// The same from where what is asked for is met, or nearly.
+  void settle();
   /// Half the sum of squares, the residuals, and their derivatives where these are asked for; all stations
   /// are looked at. Empty where one of them is none of a blade.
   std::optional<double> evaluate(std::vector<double>& residuals, ceres::CRSMatrix* slopes = nullptr);
 
  private:
   void PrepareForEvaluation(bool slopes, bool isNew) override;
-  /// Chooses the grips with what is asked for at its cost of now.
-  void settle();
   /// Takes stations back to where the solver stands, whose last step is mostly none that it takes.
   void stepBack();
 

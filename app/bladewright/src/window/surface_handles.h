@@ -139,7 +139,7 @@ class SurfaceHandles : public QObject {
     QString stoppedBy = {};                        ///< why it lags behind the hand
     /// Where it was stopped last, below and above.
     std::array<std::optional<pipeline::Reach::End>, 2> stops = {};
-    std::vector<Snap> snaps = {};                  ///< of where it is wished to be
+    std::vector<Snap> snaps = {};  ///< of where it is wished to be
   };
 
   std::vector<Eigen::Vector3d> places() const;
