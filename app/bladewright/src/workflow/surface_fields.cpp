@@ -129,7 +129,7 @@ QString missedAimText(std::size_t count, double deviation, double aim) {
   if (deviation <= aim) return {};
   return count < std::size_t(BladesSurface::kMost)
              ? QObject::tr("; %1 was aimed at, but nothing nearer was found").arg(lengthText(aim))
-             : QObject::tr("; %1 was aimed at, which takes more of them").arg(lengthText(aim));
+             : QObject::tr("; %1 was aimed at, but no more of them are taken").arg(lengthText(aim));
 }
 
 FormulaField::FormulaField(QWidget* parent) : TypedField(parent) {}
