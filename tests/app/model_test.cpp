@@ -172,7 +172,7 @@ TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
   EXPECT_EQ(faster->cut().sweep.value, first->cut().sweep.value);
   EXPECT_NE(faster->cut().analysis.value, first->cut().analysis.value);
   EXPECT_NEAR(faster->cut().motion.value->cuttingTime(), 0.5 * first->cut().motion.value->cuttingTime(),
-              1e-9);
+              kTimeUnit);
   design.process.tolerance *= 2;
   const auto looser = evaluate(design);
   EXPECT_EQ(looser->cut().sections.value, faster->cut().sections.value);

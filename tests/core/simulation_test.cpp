@@ -156,10 +156,45 @@ TEST(Simulation, CutsWhatIsShown) {
         if (std::abs(now.frame.normal.dot(now.frame.origin - pose.frame.origin)) > 1e-6) continue;
         ++met;
         const Vector3d here = now.frame.toWorld(now.blade.at(400).point);
-        EXPECT_LT((here - pose.bladePoints(3)[1]).norm(), 1e-4);
+        EXPECT_LT((here - pose.bladePoints(3)[1]).norm(), 5 * kPlaceUnit) << "grips are told in such units";
       }
     EXPECT_EQ(met, 5);
   }
+}
+
+TEST(Simulation, StraightBladesStaySoAsTheyTurn) {
+  // Lines that turn by up to 2.8° from one to the next: of targets that are a blade's length apart the grips
+  // come nearer to each other on the way, and a micrometre of slack is half a millimetre of sag.
+  test::RowSettings settings = heavySettings();
+  const auto slope = [](double travel) { return 0.35 * std::sin(2 * kPi * travel / 400); };
+  const auto sections = test::sectionsOf(
+      21, 20, [&](int i) { return test::graphCurve(250, [&](double x) { return slope(20.0 * i) * x; }); });
+  const Box block = test::blockUnder(250, 400, -120, 200);
+  Findings findings;
+  const Result<Sweep> sweep =
+      buildSweep(sections, settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  const RowMotion way = followRow(*sweep, settings, {}).value();
+  EXPECT_LT(way.targets.size(), 10 * sections.size());
+  const Motion motion = buildMotion(*sweep, {}, way.targets, settings, findings).value();
+  EXPECT_FALSE(test::findingOf<TargetsCrowd>(findings)) << "they need not follow at once";
+  const double length = settings.blade.length;
+  double most = 0;
+  for (std::size_t i = 1; i < motion.instants.size(); ++i)
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      Vector3d chord = Vector3d::Zero();
+      for (const auto& [at, part] : {std::pair(i - 1, 1 - share), {i, share}})
+        chord += part * (motion.instants[at].poses[1].position - motion.instants[at].poses[0].position);
+      EXPECT_GE(chord.norm(), length) << i << ' ' << share;
+      most = std::max(most, chord.norm() - length);
+    }
+  EXPECT_LE(most, mostPull(length) + 2 * kPlaceUnit);
+  EXPECT_GT(most, 0.1 * mostPull(length));
+  const Simulation run = simulate(motion, settings.blade, settings.weight, {}).value();
+  EXPECT_FALSE(run.halt);
+  EXPECT_EQ(run.straightWithin, 0);
+  for (const SimulatedBlade& now : run.blades) EXPECT_LT(now.blade.maxCurvature(), 1e-12);
+  EXPECT_NEAR(run.speeds->max, settings.cuttingSpeed, 0.01 * settings.cuttingSpeed);
 }
 
 TEST(Simulation, RunsAtTheCuttingSpeedBetweenTargetsToo) {
@@ -626,6 +661,28 @@ TEST(Simulation, SeesARoundBladeThatDoesNotRestInItsPlane) {
   ASSERT_TRUE(flat && !flat->halt);
   EXPECT_TRUE(flat->twists().empty());
   EXPECT_TRUE(runFindings(*flat, {}, motion, {}, {}, {}).empty());
+}
+
+TEST(Simulation, FasterThanTheCuttingSpeedIsAFinding) {
+  const test::RowSettings settings = heavySettings();
+  const Made made(settings);
+  Motion fast = made.motion;
+  const auto told = [&] {
+    const Simulation run = simulate(fast, settings.blade, settings.weight, {}).value();
+    return runFindings(run, made.compared(run).value(), fast, made.analysis, settings, {});
+  };
+  EXPECT_TRUE(told().empty());
+  // The third move in 0.8 of its time.
+  const double saved = 0.2 * (fast.instants[3].time - fast.instants[2].time);
+  for (std::size_t i = 3; i < fast.instants.size(); ++i) fast.instants[i].time -= saved;
+  const Findings findings = told();
+  ASSERT_EQ(findings.size(), 1u);
+  const auto& cause = std::get<TooFastOnTheWay>(findings[0].cause);
+  EXPECT_NEAR(cause.speed, settings.cuttingSpeed / 0.8, 0.03 * settings.cuttingSpeed);
+  EXPECT_EQ(cause.limit, settings.cuttingSpeed);
+  EXPECT_TRUE(exceedsLimit(findings));
+  ASSERT_TRUE(findings[0].where.stations);
+  EXPECT_EQ(findings[0].where.stations->first, fast.instants[2].station);
 }
 
 TEST(Simulation, WhatACornerCutsAwayIsAFinding) {

@@ -466,11 +466,13 @@ TEST(SweepAnalysis, BladeThatKeepsTheClearanceIsTrue) {
   };
   const std::optional<Finding> missed = found(800);
   ASSERT_TRUE(missed);
-  EXPECT_EQ(missed->severity, Severity::warning);
+  EXPECT_EQ(missed->severity, Severity::error) << "no room for 500 mm at both sides of such sections";
   const OtherLength* longer = remedyOf<OtherLength>(missed->remedies);
   ASSERT_TRUE(longer);
   EXPECT_FALSE(found(longer->length)) << longer->length;
-  EXPECT_TRUE(found(0.98 * longer->length)) << longer->length;
+  const std::optional<Finding> shorter = found(0.98 * longer->length);
+  ASSERT_TRUE(shorter) << longer->length;
+  EXPECT_EQ(shorter->severity, Severity::warning) << "room, but not as it lies";
 }
 
 TEST(ExceedsLimit, CountsErrorsAndWarningsAboutStatedLimits) {
@@ -552,7 +554,8 @@ TEST(Motion, EndsFollowTheTcpConvention) {
     EXPECT_LT((l.col(2) - sweep->planes.direction()).norm(), 1e-12);
     EXPECT_LT((r.col(2) - sweep->planes.direction()).norm(), 1e-12);
     EXPECT_LT((block.frame.toWorld(left.position.head<2>(), left.position.z()) - station.leftPoint()).norm(),
-              1e-9);
+              kPlaceUnit)
+        << "in numbers that programs state";
     EXPECT_NEAR(l.determinant(), 1, 1e-12);
     EXPECT_GE(left.rotation.dot(motion->instants[i - 1].poses[0].rotation), 0);
   }

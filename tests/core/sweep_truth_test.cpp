@@ -369,6 +369,8 @@ TEST(Leads, CornersAtStationsAreCutByLittle) {
   EXPECT_EQ(plannedZone(motion(fromDegrees(10), 1), 1), 1);
   EXPECT_EQ(plannedZone(motion(fromDegrees(30), 1), 1), 0.3);
   EXPECT_EQ(plannedZone(motion(fromDegrees(60), 1), 1), 0.05);
+  EXPECT_EQ(plannedZone(motion(fromDegrees(10), 1), 1, 0.02), 0.3) << "the less, the less it may be cut";
+  EXPECT_EQ(plannedZone(motion(fromDegrees(30), 1), 1, 0.02), 0.05);
   std::vector<MotionInstant> air = motion(fromDegrees(60), 1);
   air[1].station = -1;
   EXPECT_EQ(plannedZone(air, 1), 1);
@@ -572,7 +574,8 @@ TEST(OnTheWay, TargetsThatTheToleranceCrowdsAreTold) {
                                   ? &std::get<TargetsCrowd>(test::findingOf<TargetsCrowd>(findings)->cause)
                                   : nullptr;
   ASSERT_TRUE(crowd);
-  EXPECT_NEAR(crowd->seconds, std::ranges::min(times), 1e-12);
+  EXPECT_NEAR(crowd->seconds, std::ranges::min(times), kTimeUnit)
+      << "times are rounded as programs state them";
   EXPECT_EQ(crowd->count, std::ranges::count_if(times, [](double t) { return t < kTargetSeconds; }));
 }
 

@@ -62,6 +62,21 @@ TEST(MotionJson, RoundTripsExactly) {
   }
 }
 
+TEST(MotionJson, TellsHowFarCornersAreCutWhereThatIsLessThanUsual) {
+  Motion motion = sample::motion();
+  const std::string usual = writeJson(motion, sample::cell())->front().bytes;
+  EXPECT_EQ(usual.find("corner_tolerance"), std::string::npos) << "earlier versions read it";
+  EXPECT_EQ(readJson(usual)->cornersWithin, kMostCornerCut);
+  motion.cornersWithin = 0.012;
+  std::string text = writeJson(motion, sample::cell())->front().bytes;
+  EXPECT_EQ(readJson(text)->cornersWithin, 0.012);
+  ASSERT_TRUE(sample::replace(text, "\"corner_tolerance\": 0.012", "\"corner_tolerance\": 0"));
+  const auto none = readJson(text);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("motion.corner_tolerance must be greater than 0 mm"), std::string::npos)
+      << none.error().message;
+}
+
 TEST(MotionJson, AnOlderTextIsReadAndLacksTheWaysOnlyWhereAProgramIsMade) {
   Motion motion = sample::motion();
   motion.approach = {0.6, 0, 0.8};

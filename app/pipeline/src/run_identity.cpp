@@ -88,7 +88,8 @@ void add(Values& f, const Motion& motion) {
   const Frame& frame = motion.block.frame;
   for (const Eigen::Vector3d& v : {frame.origin, frame.x, frame.y, frame.normal, motion.block.size})
     add(f, v);
-  f.number(motion.bladeLength).number(motion.cuttingSpeed).number(double(motion.instants.size()));
+  f.number(motion.bladeLength).number(motion.cuttingSpeed).number(motion.cornersWithin);
+  f.number(double(motion.instants.size()));
   for (const MotionInstant& instant : motion.instants) {
     f.number(instant.time).number(instant.station);
     for (const Pose& pose : instant.poses) add(f, pose);

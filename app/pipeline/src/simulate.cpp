@@ -34,7 +34,6 @@ namespace {
 constexpr double kSameLength = 1e-3;  // mm
 constexpr double kAll = 0.999;        // of the travel of a surface
 constexpr double kRounded = 1e-3;     // of a radius
-constexpr double kFaster = 1.1;       // than the cutting speed: durations are rounded
 
 /// A program as it is read.
 struct ReadProgram {

@@ -514,6 +514,13 @@ std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
          moreStationsText(finding, "take more stations");
 }
 
+std::string Sentences::operator()(const TooFastOnTheWay& cause) const {
+  return onTheWay(finding, at()) + "a point of the blade goes at " + shortText(cause.speed) +
+         " mm/s (cutting speed " + shortText(cause.limit) +
+         " mm/s), so that it melts less there; take a lower "
+         "cutting speed";
+}
+
 std::string Sentences::operator()(const SkinOff& cause) const {
   return at() + "the surface that is measured and written lies up to " + shortText(cause.distance) +
          " mm from the blade, more than " + shortText(cause.tolerance) + " mm; " + kInParts;

@@ -46,6 +46,7 @@ struct Sentences {
   std::string operator()(const LostOnTheWay& cause) const;
   std::string operator()(const TooFarOnTheWay& cause) const;
   std::string operator()(const OffTheSurfaceShown& cause) const;
+  std::string operator()(const TooFastOnTheWay& cause) const;
   std::string operator()(const SkinOff& cause) const;
   std::string operator()(const JointGap& cause) const;
   std::string operator()(const JointKink& cause) const;

@@ -4,6 +4,10 @@
 #include "bw/core/motion/motion.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bw/core/heavy/heavy_bvp.h"
 
 namespace bw {
 
@@ -19,8 +23,6 @@ double Motion::cuttingTime() const {
 }
 
 namespace {
-
-constexpr double kMostCut = 0.06;  // mm that a corner in the foam is cut by, at most
 
 /// How far, in parts of its zone, a corner is passed: where the speed goes evenly from v to w over the time
 /// that the faster end takes for twice the zone, its place is |w − v| / 4 of half of that time off, of which
@@ -42,7 +44,7 @@ double cornerCut(const std::vector<MotionInstant>& instants, std::size_t i) {
 
 }  // namespace
 
-double plannedZone(const std::vector<MotionInstant>& instants, std::size_t i) {
+double plannedZone(const std::vector<MotionInstant>& instants, std::size_t i, double cornersWithin) {
   constexpr double kLeastLength = 1e-3;  // mm; shorter segments only turn
   if (i == 0 || i + 1 >= instants.size()) return 0;
   double room = 2 * kZones.front();
@@ -52,9 +54,66 @@ double plannedZone(const std::vector<MotionInstant>& instants, std::size_t i) {
       if (length >= kLeastLength) room = std::min(room, length);
     }
   const double cut = instants[i].station >= 0 ? cornerCut(instants, i) : 0;
-  const auto fits =
-      std::ranges::find_if(kZones, [&](double zone) { return 0.5 * room >= zone && zone * cut <= kMostCut; });
+  const auto fits = std::ranges::find_if(
+      kZones, [&](double zone) { return 0.5 * room >= zone && zone * cut <= cornersWithin; });
   return fits == kZones.end() ? kZones.back() : *fits;
+}
+
+namespace {
+
+constexpr double kAllButTaut = 0.02;  // mm of slack below which rounding bends a blade
+
+/// In whole units, a way from end to end that a blade so long sags on as over `asked`, as nearly as such
+/// numbers can. Along the axis that the way is nearest to it is as long as it was, or a unit more or less;
+/// what the length lacks then is sought across, where a unit changes it by little.
+Eigen::Vector3d tautWay(const Eigen::Vector3d& asked, double bladeLength) {
+  constexpr double kOne = kPlaceUnit;
+  const double apart = asked.norm(), sag = largestSag(bladeLength, apart);
+  Eigen::Index main = 0;
+  asked.cwiseAbs().maxCoeff(&main);
+  Eigen::Vector3d best = asked;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const Eigen::Vector3d& way) {
+    const double cost = std::abs(largestSag(bladeLength, way.norm()) - sag) + std::abs(way.norm() - apart) +
+                        (way - asked).norm();
+    if (cost >= least) return;
+    least = cost;
+    best = way;
+  };
+  const auto whole = [](double value) { return kOne * std::round(value / kOne); };
+  const double along = whole(asked[main]);
+  for (const Eigen::Index free : {(main + 1) % 3, (main + 2) % 3}) {
+    const Eigen::Index other = 3 - main - free;
+    for (int a = -1; a <= 1; ++a)
+      for (int b = -3; b <= 3; ++b) {
+        Eigen::Vector3d way;
+        way[main] = along + a * kOne;
+        way[other] = whole(asked[other]) + b * kOne;
+        way[free] = whole(asked[free]);
+        consider(way);
+        const double square = apart * apart - way[main] * way[main] - way[other] * way[other];
+        if (square < 0) continue;
+        way[free] = whole(std::copysign(std::sqrt(square), asked[free]));
+        consider(way);
+      }
+  }
+  return best;
+}
+
+}  // namespace
+
+void roundPlaces(std::vector<Pose>& poses, double bladeLength) {
+  const auto rounded = [](const Eigen::Vector3d& place) -> Eigen::Vector3d {
+    constexpr double kUnits = 1 / kPlaceUnit;
+    return (kUnits * place).array().round() / kUnits;
+  };
+  std::optional<Eigen::Vector3d> way;
+  if (poses.size() == 2 && bladeLength > 0) {
+    const Eigen::Vector3d asked = poses[1].position - poses[0].position;
+    if (std::abs(bladeLength - asked.norm()) <= kAllButTaut) way = tautWay(asked, bladeLength);
+  }
+  for (Pose& pose : poses) pose.position = rounded(pose.position);
+  if (way) poses[1].position = rounded(poses[0].position + *way);
 }
 
 }  // namespace bw

@@ -120,6 +120,15 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
                         {StationRange::of(std::max(before, 0)), surface.toDesignAt.place},
                         {}});
   }
+  const std::optional<RunSpeeds>& speeds = simulation.speeds;
+  const bool follows = simulation.snaps.empty() && !simulation.halt && !told<SnapsOnTheWay>(known);
+  if (follows && speeds && motion.cuttingSpeed > 0 && speeds->max > kFaster * motion.cuttingSpeed) {
+    const std::size_t at = speeds->maxAt.instant;
+    findings.push_back({Severity::warning,
+                        TooFastOnTheWay{speeds->max, motion.cuttingSpeed},
+                        {besideOf(motion.instants, at, at + 1), speeds->maxAt.place},
+                        {}});
+  }
   if (surface.toTargetMax > request.tolerance && analysis.summary.deviationMax <= request.tolerance &&
       !told<TooFarOnTheWay>(known))
     findings.push_back({Severity::warning,

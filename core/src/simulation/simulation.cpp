@@ -28,7 +28,7 @@ using Eigen::Vector3d;
 constexpr int kBetween = 4;           // moves from instant to instant
 constexpr double kTaut = 0.05;        // mm that a blade may sag by its slack
 constexpr double kHardlySlack = 0.5;  // mm: so close to the straight line that it counts as it, if need be
-constexpr double kStretch = 1e-3;     // mm, rounding of written positions
+constexpr double kStretch = 1e-3;     // mm, rounding of written positions, beyond what a blade is pulled by
 constexpr double kOffPlane = 0.5;     // mm, of an end,
 constexpr double kTilted = fromDegrees(0.5);
 
@@ -103,7 +103,8 @@ class Runner {
 Pose Runner::poseAt(std::size_t end, std::size_t instant, double share) const {
   const auto cornerAt = [&](std::size_t i, double since) -> std::optional<Pose> {
     if (i == 0 || i + 1 >= motion_.instants.size()) return {};
-    const double zone = motion_.instants[i].zone.value_or(plannedZone(motion_.instants, i));
+    const double zone =
+        motion_.instants[i].zone.value_or(plannedZone(motion_.instants, i, motion_.cornersWithin));
     const MotionInstant &before = motion_.instants[i - 1], &at = motion_.instants[i],
                         &after = motion_.instants[i + 1];
     const double in = at.time - before.time, out = after.time - at.time;
@@ -152,7 +153,7 @@ Step<Hold> Runner::holdAt(std::size_t instant, double share) {
   halt.apart = chord.norm();
   halt.off = std::abs(chord.dot(normal));
   halt.twist = std::acos(std::clamp(zl.dot(zr), -1.0, 1.0));
-  if (halt.apart > length_ + kStretch) return tl::unexpected<Halt>(halt);
+  if (halt.apart > length_ + mostPull(length_) + kStretch) return tl::unexpected<Halt>(halt);
   halt.why = Halt::Why::offPlane;
   if (!(halt.off <= kOffPlane) || !(halt.twist <= kTilted)) return tl::unexpected<Halt>(halt);
   if (!across_) {
@@ -212,14 +213,17 @@ Step<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
     branch_.reset();
     return {};
   }
-  if (!branch_) {
-    // All but straight, and rounded as it is written, it may not be found yet.
+  // All but straight, and rounded as it is written, it may not be found.
+  const auto anew = [&]() -> Step<void> {
     const Step<void> found = begin(hold);
     if (found || slack(hold.problem) > kHardlySlack) return found;
+    branch_.reset();
     result_.straightWithin = std::max(result_.straightWithin, slack(hold.problem));
     return {};
-  }
+  };
+  if (!branch_) return anew();
   const Result<ClampedBranch::Move> move = branch_->moveTo(hold.problem);
+  if (!move && slack(hold.problem) <= kHardlySlack) return anew();
   if (!move) return lost(move.error().message);
   if (!move->snapped) return {};
   result_.snaps.push_back({time, instant});

@@ -22,9 +22,11 @@ namespace {
 
 /// Points of the blade at which the speed is compared; the speed varies smoothly along it.
 constexpr int kSpeedSamples = 41;
-constexpr int kInstants = 4;        // from one pose to the next, at which it is told
-constexpr double kSamePlane = 1;    // mm: a lead of its own ends farther from where the blade bends
-constexpr double kLeastBend = 0.2;  // s from one shape to the next outside of the block
+constexpr int kInstants = 4;          // from one pose to the next, at which it is told
+constexpr double kSamePlane = 1;      // mm: a lead of its own ends farther from where the blade bends
+constexpr double kLeastBend = 0.2;    // s from one shape to the next outside of the block
+constexpr double kOfTolerance = 0.6;  // that corners at stations are cut by, at most
+constexpr double kTaut = 0.05;        // mm that a straight blade may sag by its slack
 
 /// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
 Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
@@ -43,13 +45,59 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
 
 using Points = std::vector<Eigen::Vector3d>;
 
+/// Takes the ends of a straight blade so far apart that it does not slacken on the way from instant to
+/// instant, as it turns, nor as places are rounded.
+void pullStraight(Motion& motion) {
+  const double length = motion.bladeLength;
+  std::vector<MotionInstant>& instants = motion.instants;
+  const auto chord = [&](std::size_t i) -> Eigen::Vector3d {
+    return instants[i].poses[1].position - instants[i].poses[0].position;
+  };
+  const auto straight = [&](std::size_t i) { return largestSag(length, chord(i).norm()) < kTaut; };
+  std::vector<double> pulls(instants.size(), 0);
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    if (!straight(i)) continue;
+    pulls[i] = std::max(pulls[i], length + 2 * kPlaceUnit - chord(i).norm());
+    if (i + 1 == instants.size() || !straight(i + 1)) continue;
+    const double slack = length + 2 * kPlaceUnit - 0.5 * (chord(i) + chord(i + 1)).norm();
+    for (const std::size_t k : {i, i + 1}) pulls[k] = std::max(pulls[k], slack);
+  }
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const Eigen::Vector3d way = 0.5 * std::min(pulls[i], mostPull(length)) * chord(i).normalized();
+    instants[i].poses[0].position -= way;
+    instants[i].poses[1].position += way;
+  }
+}
+
+/// A straight blade, pulled: where that does not do, it sags by its slack to the side of its weight.
+void sagging(const sweep::Move::Hold& hold, std::span<const double> arcs, Points& points) {
+  const ClampedProblem& grips = hold.problem.grips;
+  const Eigen::Vector2d chord = grips.end - grips.start;
+  Eigen::Vector2d across(-chord.y(), chord.x());
+  across.normalize();
+  if (across.dot(hold.problem.weight) < 0) across = -across;
+  const double slack = grips.length - mostPull(grips.length) - chord.norm(),
+               sag = sweep::sagOfClamped(grips.length, std::max(0.0, slack));
+  points.clear();
+  for (const double arc : arcs) {
+    const double share = arc / grips.length;
+    const Eigen::Vector2d place =
+        grips.start + share * chord + 0.5 * sag * (1 - std::cos(2 * kPi * share)) * across;
+    points.push_back(hold.frame.toWorld(place));
+  }
+}
+
 /// The blade with its weight at even instants between one pose and the next, the robots moving its grips
 /// evenly: its points in space. None where it cannot be followed from either of the two.
 std::vector<Points> pointsBetween(const Sweep& sweep, const BladePose& from, const BladePose& to,
                                   std::span<const double> arcs) {
-  if (sweep::isTaut(from) && sweep::isTaut(to)) return {};
   std::vector<Points> instants(kInstants - 1);
   const sweep::Move move(sweep, from, to);
+  if (sweep::isTaut(from) && sweep::isTaut(to)) {
+    for (int k = 1; k < kInstants; ++k)
+      sagging(move.at(double(k) / kInstants), arcs, instants[std::size_t(k) - 1]);
+    return instants;
+  }
   std::vector<Elastica::State> states(arcs.size());
   const auto follows = [&](const BladePose& pose, bool ahead) {
     std::optional<HeavyBranch> branch = sweep::isTaut(pose) ? std::nullopt : sweep::standing(sweep, pose);
@@ -106,8 +154,9 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     const Eigen::Vector3d& n = pose.frame.normal;
     return {n.dot(frame.x), n.dot(frame.y), n.dot(frame.normal)};
   };
-  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, ahead(sweep.poses.front()),
-                ahead(sweep.poses.back())};
+  Motion motion{sweep.block,    sweep.request.blade.length, cuttingSpeed,
+                kMostCornerCut, ahead(sweep.poses.front()), ahead(sweep.poses.back())};
+  motion.cornersWithin = std::min(kMostCornerCut, kOfTolerance * request.motionTolerance);
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
@@ -190,6 +239,13 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   for (std::size_t i = 0; i < ends.exit.poses.size(); ++i) {
     go(ends.exit.poses[i], 0, -1, i == 0 ? 0 : kLeastBend);
     cuts = false;
+  }
+  constexpr double kTicks = 1 / kTimeUnit;
+  pullStraight(motion);
+  // As programs state it: what is run, timed and shown is what robots are given.
+  for (MotionInstant& instant : motion.instants) {
+    roundPlaces(instant.poses, motion.bladeLength);
+    instant.time = std::round(instant.time * kTicks) / kTicks;
   }
   std::ranges::move(grips.told(), std::back_inserter(findings));
   std::ranges::move(floor.told(), std::back_inserter(findings));

@@ -12,6 +12,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/motion/motion.h"
 #include "sweep/held_blade.h"
 #include "sweep/in_foam.h"
 #include "sweep/peaks.h"
@@ -42,7 +43,7 @@ struct Way {
   std::vector<BladePose> targets = {};             ///< between the two
   std::vector<std::vector<Vector3d>> places = {};  ///< of the part that cuts, on the way
   double off = 0;                                  ///< mm, the farthest of them from the smooth way
-  bool straight = false;                           ///< throughout
+  double slack = 0;                                ///< mm that a straight blade has, at most
 };
 
 /// Into how many parts the way from each station to the next is cut for the surface to follow it: where the
@@ -88,13 +89,14 @@ class Follower {
     if (best.end == Way::End::unknown) return best;
     int moves = 1;
     for (int trial = 0; trial < 3; ++trial) {
-      if (best.end == Way::End::arrives && best.off <= tolerance) break;
+      if (keeps(best, tolerance)) break;
       const int asked =
           best.end == Way::End::arrives ? int(std::ceil(moves * partsFor(best, tolerance))) : 4 * moves;
       moves = std::min(std::max(asked, moves + 1), kMostMoves);
       Way finer = follow(i, i + 1, moves);
       const bool better =
-          finer.end == Way::End::arrives && (best.end != Way::End::arrives || finer.off < best.off);
+          finer.end == Way::End::arrives &&
+          (best.end != Way::End::arrives || partsFor(finer, tolerance) < partsFor(best, tolerance));
       if (better) best = std::move(finer);
       if (!better || moves == kMostMoves) break;
     }
@@ -104,11 +106,14 @@ class Follower {
   /// To the next station, in so many moves.
   Way inMoves(std::size_t i, int moves) const { return follow(i, i + 1, moves); }
 
-  /// In how many parts a way is to go to keep within the tolerance: it is off by the square of its length,
-  /// and by its length where a straight blade sags.
-  static double partsFor(const Way& way, double tolerance) {
-    const double times = kRoom * way.off / tolerance;
-    return way.straight ? times : std::sqrt(times);
+  /// True for a way that arrives and keeps within the tolerance; a straight blade stays so if it is pulled.
+  bool keeps(const Way& way, double tolerance) const {
+    return way.end == Way::End::arrives && way.off <= tolerance && way.slack <= mostPull(length());
+  }
+
+  /// In how many parts a way is to go to do so: off and slack go with the square of its length.
+  double partsFor(const Way& way, double tolerance) const {
+    return std::sqrt(kRoom * std::max(way.off / tolerance, way.slack / mostPull(length())));
   }
 
   /// From station i to j in one move, past those between.
@@ -123,6 +128,8 @@ class Follower {
   std::size_t before(const std::vector<Vector3d>& places) const { return between_.before(travelOf(places)); }
 
  private:
+  double length() const { return row_.request.blade.length; }
+
   double travelOf(const std::vector<Vector3d>& places) const {
     const BladePose& first = row_.poses.front();
     return first.travel + row_.planes.level(places[places.size() / 2]) -
@@ -142,8 +149,7 @@ class Follower {
     const int looks = moves > 1 ? 2 : std::max(4, 2 * int(end - start));  // at the way of each move
     if (sweep::isTaut(poses.front()) && sweep::isTaut(poses.back())) {
       // Straight throughout: its points go evenly, as its ends do. Where it turns on the way, these come
-      // nearer to each other meanwhile, and it sags to either side.
-      way.straight = true;
+      // nearer to each other meanwhile.
       for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
         const Vector3d first = poses[j].rightPoint() - poses[j].leftPoint(),
                        last = poses[j + 1].rightPoint() - poses[j + 1].leftPoint();
@@ -155,10 +161,9 @@ class Follower {
           for (std::size_t c = 0; c < a.size(); ++c)
             places.push_back(a[c] + double(k) / looks * (b[c] - a[c]));
           if (k == looks) continue;
-          const double share = double(k) / looks,
-                       slack = std::max(0.0, nearer - ((1 - share) * first + share * last).norm());
-          way.off =
-              std::max({way.off, offTheWay(places, {}), sweep::sagOfClamped(poses[j].blade.length(), slack)});
+          const double share = double(k) / looks;
+          way.off = std::max(way.off, offTheWay(places, {}));
+          way.slack = std::max(way.slack, nearer - ((1 - share) * first + share * last).norm());
         }
       }
       way.end = Way::End::arrives;
@@ -343,13 +348,13 @@ Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, cons
       while (next > i + 1) {
         Way past = follower.past(i, next);
         const bool arrives = past.end == Way::End::arrives;
-        if (arrives && past.off <= tolerance) {
+        if (follower.keeps(past, tolerance)) {
           ways[i] = std::move(past);
           break;
         }
         // How far the way is off grows with the square of its length.
         const std::size_t span = next - i;
-        const double part = arrives ? 1 / Follower::partsFor(past, tolerance) : 0.5;
+        const double part = arrives ? 1 / follower.partsFor(past, tolerance) : 0.5;
         next = i + std::clamp<std::size_t>(std::size_t(part * double(span)), 1, span - 1);
         while (next > soonest && crowds(next)) --next;
       }

@@ -273,12 +273,16 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       [&](const Stretch& at) -> Told { return {HeldBackFit{distance(at.worst)}}; });
   const auto nearness = [&](Index i) { return -seen[i].clearance; };
   const auto clear = [&](const Stretch& at) { return tooNear(sweep, seen[at.worst].clearance, request, at); };
+  // A section that leaves the blade less than the clearance at both sides: however it lies, it is too short.
+  const auto barred = [&](Index i) {
+    return seen[i].clearance < 0 ||
+           (seen[i].clearance < request.clearance &&
+            sweep.fits[i].target.length() >= sweep.request.blade.length - 2 * request.clearance);
+  };
+  report(Severity::error, barred, nearness, clear);
   report(
-      Severity::error, [&](Index i) { return seen[i].clearance < 0; }, nearness, clear);
-  report(
-      Severity::warning,
-      [&](Index i) { return seen[i].clearance >= 0 && seen[i].clearance < request.clearance; }, nearness,
-      clear);
+      Severity::warning, [&](Index i) { return seen[i].clearance < request.clearance && !barred(i); },
+      nearness, clear);
   report(
       Severity::warning, [&](Index i) { return seen[i].nearBottom; },
       [&](Index i) { return -seen[i].aboveBottom; },

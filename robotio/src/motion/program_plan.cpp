@@ -14,14 +14,11 @@ namespace bw::robotio {
 
 namespace {
 
-constexpr double kTimeUnit = 1e-4;               ///< s, of the durations
 constexpr double kTravelTurn = fromDegrees(30);  ///< rad/s outside of the foam
 constexpr double kLeastTurn = 10;                ///< degrees/s of the cut, so that it is never what limits
 constexpr double kTurnMargin = 1.5;              ///< on the fastest turn of the cut
 constexpr double kLeastHomeTime = 5;             ///< s from home to the first target
 constexpr double kLeastTravelTime = 0.5;         ///< s of the approach and of the retreat
-constexpr double kPositionUnit = 1e-4;           ///< mm, in which dialects write positions
-constexpr double kAllButTaut = 0.02;             ///< mm of slack below which rounding bends a blade
 
 /// Quaternions of unit length with one sign along the path.
 std::vector<MotionInstant> smoothSigns(std::vector<MotionInstant> instants) {
@@ -167,30 +164,6 @@ void addOutOfReach(const Motion& motion, const std::vector<MotionInstant>& insta
   add(worst->second, motion.block.frame.toWorld(p_B.head<2>(), p_B.z()));
 }
 
-/// Two ends of a blade that is all but taut, in whole units, so that they are as far apart as they were: a
-/// micrometre of slack more or less, and such a blade lies some tenths of a millimetre elsewhere.
-void roundTogether(std::vector<Pose>& poses, double bladeLength) {
-  if (poses.size() != 2) return;
-  Eigen::Vector3d &left = poses.front().position, &right = poses.back().position;
-  const double apart = (right - left).norm();
-  if (!(bladeLength > 0) || std::abs(bladeLength - apart) > kAllButTaut) return;
-  const auto rounded = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    return kPositionUnit * (p / kPositionUnit).array().round().matrix();
-  };
-  left = rounded(left);
-  const Eigen::Vector3d middle = rounded(right), asked = right;
-  double least = 1e300;
-  for (int k = 0; k < 27; ++k) {
-    const Eigen::Vector3d step(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const Eigen::Vector3d place = middle + kPositionUnit * step;
-    // Of places that serve alike, the nearest.
-    const double miss = std::abs((place - left).norm() - apart) + 0.01 * (place - asked).norm();
-    if (miss >= least) continue;
-    least = miss;
-    right = place;
-  }
-}
-
 }  // namespace
 
 std::optional<std::vector<Pose>> gripsAtHome(const Cell& cell) {
@@ -248,7 +221,8 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
     speed = std::max(speed, farthest(from, to) / duration);
     for (std::size_t end = 0; end < to.size(); ++end)
       turn = std::max(turn, turnDegrees(from[end].rotation, to[end].rotation) / duration);
-    plan.moves.push_back({MoveRole::cut, int(i), duration, 0, 0, plannedZone(instants, i), to});
+    plan.moves.push_back(
+        {MoveRole::cut, int(i), duration, 0, 0, plannedZone(instants, i, motion.cornersWithin), to});
   }
   turn = std::max(kLeastTurn, std::ceil(kTurnMargin * turn));
   for (ProgramMove& move : plan.moves) {
@@ -257,7 +231,9 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
     move.turnSpeed = fromDegrees(turn);
   }
   if (approaches) travel(MoveRole::retreat, -1, travelTime, shifted(last, cell.approach * *motion.retreat));
-  for (ProgramMove& move : plan.moves) roundTogether(move.poses, plan.bladeLength);
+  // Home is told by joints.
+  for (ProgramMove& move : plan.moves)
+    if (move.role != MoveRole::home) roundPlaces(move.poses, plan.bladeLength);
   return plan;
 }
 

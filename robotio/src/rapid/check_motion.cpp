@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/motion/motion.h"
 #include "bw/core/text/number_text.h"
 #include "motion/motion_check.h"
 #include "rapid/linked_program.h"
@@ -169,9 +170,10 @@ void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& brea
   if (!(bladeLength > 0) || program.tasks.size() != 2) return;
   const std::vector<const Step*> left = synchronisedMoves(program.tasks[0]),
                                  right = synchronisedMoves(program.tasks[1]);
+  const double most = bladeLength + mostPull(bladeLength) + kLengthSlack;
   for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
     const double distance = lengthBetween(*left[i], *right[i]).value_or(0);
-    if (distance <= bladeLength + kLengthSlack) continue;
+    if (distance <= most) continue;
     breaches.rule(16, *right[i],
                   "at " + nameOf(*right[i]) + " the grips are " + shortText(distance, 7) + " mm apart, " +
                       shortText(distance - bladeLength) + " mm more than the blade of " +

@@ -104,8 +104,8 @@ MotionInstant instant(const json& value, const std::string& path) {
 
 Motion readMotion(const json& root) {
   keys(root, "motion",
-       {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "approach", "retreat",
-        "block", "ends", "instants"});
+       {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "corner_tolerance",
+        "approach", "retreat", "block", "ends", "instants"});
   if (const json& schema = at(root, "motion", "schema");
       !schema.is_string() || schema.get<std::string>() != kSchema)
     wrong("motion.schema must be \"" + std::string(kSchema) + "\"; this is another kind of file",
@@ -118,6 +118,12 @@ Motion readMotion(const json& root) {
   Motion result;
   result.bladeLength = number(at(root, "motion", "blade_length"), "motion.blade_length");
   result.cuttingSpeed = number(at(root, "motion", "cutting_speed"), "motion.cutting_speed");
+  if (root.contains("corner_tolerance")) {
+    result.cornersWithin = number(root["corner_tolerance"], "motion.corner_tolerance");
+    if (!(result.cornersWithin > 0))
+      wrong("motion.corner_tolerance must be greater than 0 mm", "motion.corner_tolerance",
+            result.cornersWithin, 0);
+  }
   if (root.contains("approach")) result.approach = vector(root["approach"], "motion.approach");
   if (root.contains("retreat")) result.retreat = vector(root["retreat"], "motion.retreat");
   const json& block = at(root, "motion", "block");
@@ -151,10 +157,14 @@ Result<Program> writeJson(const Motion& motion, const Cell& cell) {
       ",\n  \"units\": \"mm, s; quaternions w first\",\n  \"frame\": \"block\",\n  \"cell\": {\"name\": " +
       quoted(cell.name) + ", \"tasks\": [" + tasks + "], \"work_object\": " + poseText(cell.workObject) +
       "},\n  \"blade_length\": " + roundTripText(motion.bladeLength) +
-      ",\n  \"cutting_speed\": " + roundTripText(motion.cuttingSpeed) + way("approach", motion.approach) +
-      way("retreat", motion.retreat) + ",\n  \"block\": {\"origin\": " + vector3(f.origin) +
-      ", \"size\": " + vector3(motion.block.size) + ", \"x\": " + vector3(f.x) + ", \"y\": " + vector3(f.y) +
-      ", \"z\": " + vector3(f.normal) + "},\n  \"ends\": [" + ends + "],\n  \"instants\": [\n";
+      ",\n  \"cutting_speed\": " + roundTripText(motion.cuttingSpeed) +
+      (motion.cornersWithin == kMostCornerCut
+           ? std::string()
+           : ",\n  \"corner_tolerance\": " + roundTripText(motion.cornersWithin)) +
+      way("approach", motion.approach) + way("retreat", motion.retreat) +
+      ",\n  \"block\": {\"origin\": " + vector3(f.origin) + ", \"size\": " + vector3(motion.block.size) +
+      ", \"x\": " + vector3(f.x) + ", \"y\": " + vector3(f.y) + ", \"z\": " + vector3(f.normal) +
+      "},\n  \"ends\": [" + ends + "],\n  \"instants\": [\n";
   for (std::size_t i = 0; i < motion.instants.size(); ++i) {
     const MotionInstant& instant = motion.instants[i];
     text += "    {\"time\": " + roundTripText(instant.time) +

@@ -281,6 +281,11 @@ struct OffTheSurfaceShown {
   static constexpr FindingKind kind = FindingKind::motion;
   double distance = 0, tolerance = 0;
 };
+/// A point of the blade goes faster than the cutting speed as the program is run.
+struct TooFastOnTheWay {
+  static constexpr FindingKind kind = FindingKind::motion;
+  double speed = 0, limit = 0;  ///< mm/s
+};
 /// Targets follow each other faster than controllers like, because the motion tolerance asks for them.
 struct TargetsCrowd {
   static constexpr FindingKind kind = FindingKind::motion;
@@ -568,14 +573,14 @@ using Cause =
                  LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
                  GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
                  BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
-                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths,
-                 GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-                 SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
-                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned, ChosenDirection,
-                 LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen,
-                 JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut, CutDropped, CreaseOff, TakesSurface,
-                 PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach,
-                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff,
+                 ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches,
+                 SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough,
+                 SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned,
+                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink,
+                 JointOpen, JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut, CutDropped, CreaseOff,
+                 TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
+                 HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

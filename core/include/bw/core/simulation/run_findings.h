@@ -10,14 +10,17 @@
 namespace bw {
 
 /// What the run of a row's motion tells of the blade between its stations, on the way in and on the way out:
-/// where it crosses itself, where a round one does not rest in its plane, and where what is cut lies farther
-/// off than `request` allows. What `known` tells already, of stations beside or of the way between them, is
-/// not told again. The range of a finding has the stations beside, −1 for none, and counts 0 of them; that of
-/// `OffTheSurfaceShown` the station before.
+/// where it crosses itself, where a round one does not rest in its plane, where a point of it goes faster
+/// than `kFaster` times the cutting speed, and where what is cut lies farther off than `request` allows. What
+/// `known` tells already, of stations beside or of the way between them, is not told again. The range of a
+/// finding has the stations beside, −1 for none, and counts 0 of them; that of `OffTheSurfaceShown` the
+/// station before.
 [[nodiscard]] Findings runFindings(const Simulation& simulation, const SimulatedSurface& surface,
                                    const Motion& motion, const SweepAnalysis& analysis,
                                    const WayRequest& request, const Findings& known);
 
+/// How many times the cutting speed a run may have: durations are rounded, and corners.
+inline constexpr double kFaster = 1.1;
 /// How much less than this a run may keep of a margin: what is rounded in programs.
 inline constexpr double kMarginRounded = 1e-3;
 

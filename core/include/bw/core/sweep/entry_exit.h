@@ -56,11 +56,11 @@ struct MotionRequest {
 
 /// Times entry, targets (`RowMotion`) and exit so that the fastest point of the blade, with its weight and at
 /// four instants from each target to the next, moves at the cutting speed, adds the leads, and puts the ends
-/// in the block frame. Quaternions keep one sign along the path. A lead that would end with a part of the
-/// blade in the block is grown until all of it is outside, which a finding tells; so are targets that follow
-/// in less than kTargetSeconds, and how low the blade comes on the way in, between stations and on the way
-/// out where that is below the floor (`NearBottom`: the range has the stations beside, -1 for none, and
-/// counts 0 of them).
+/// in the block frame, places and times as programs state them. Quaternions keep one sign along the path. A
+/// lead that would end with a part of the blade in the block is grown until all of it is outside, which a
+/// finding tells; so are targets that follow in less than kTargetSeconds, and how low the blade comes on the
+/// way in, between stations and on the way out where that is below the floor (`NearBottom`: the range has the
+/// stations beside, -1 for none, and counts 0 of them).
 Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std::vector<BladePose>& targets,
                            const MotionRequest& request, Findings& findings);
 

@@ -49,8 +49,8 @@ struct ProgramPlan {
 /// Decides the moves of a program: home, approach, cut, retreat, with their times, speeds and zones. Where
 /// the kinematics of all robots are known, home is where the cell has it, but with the blade as at the first
 /// instant, so that it is carried from there as it lies. Where a robot does not reach that, the
-/// homes stay the cell's, which `checkPlacement` tells. Ends of a blade that is all but taut are rounded
-/// together to 0.1 µm, so that their distance is kept as far as such numbers can. Fails on
+/// homes stay the cell's, which `checkPlacement` tells. Places are rounded to what programs state
+/// (`roundPlaces`). Fails on
 /// a motion or a cell with data that no program can state, a motion of another number of ends than the cell
 /// has tasks, one without the directions along which the cell wants the blade to come and go, and instants
 /// that are less than 0.1 ms apart.
