@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "bw/core/blade/blade.h"
+#include "bw/core/design/variables.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/words/findings.h"
@@ -214,6 +216,28 @@ TEST(Advice, AnOpenLengthThatFailsAsADesignGivesPlaceToTheNextBest) {
   ASSERT_FALSE(again.error);
   EXPECT_EQ(again.evaluation.cut().sweep.value, taken.sweep.value);
   EXPECT_EQ(again.evaluation.cut().lengths.value, taken.lengths.value);
+}
+
+TEST(Advice, WhatComesNearestDoesSoAsItsDesignIsComputed) {
+  // A hill that no blade follows. Longer ones would lie nearer to it, and fall through in their weight.
+  Design design = exampleDesign("ripple-along").value();
+  design.variables.clear();
+  design.bindings.clear();
+  design.output.programs.clear();
+  std::get<FormulaSurface>(design.source().surface->shape).formula =
+      "250+60*exp(-((x-300)^2+(y-400)^2)/30000)";
+  design.cut().sections.stations = 41;
+  design.blade = bladePreset("steel-tube-3-2.5").value();
+  design.blade.autoLength = true;
+  const Evaluation e = evaluated(resolved(design).value(), Purpose::live);
+  const BladeLengths& lengths = *e.cut().lengths.value;
+  EXPECT_FALSE(lengths.best);
+  ASSERT_TRUE(lengths.nearest);
+  EXPECT_EQ(*lengths.nearest, e.cut().sweep.value->request.blade.length);
+  const RowTrial& trial = *lengths.at(*lengths.nearest);
+  EXPECT_GT(trial.margin, 0);
+  EXPECT_NEAR(e.cut().analysis.value->summary.deviationMax, trial.deviation, 0.1 * trial.deviation);
+  for (const StationCheck& station : e.cut().check.value->stations) EXPECT_TRUE(station.stable);
 }
 
 TEST(Advice, NoLengthServesWhoseBladesLieTooFarOffBetweenTheStations) {

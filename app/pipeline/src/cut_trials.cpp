@@ -3,7 +3,6 @@
 
 #include "cut_trials.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "advice.h"
@@ -17,13 +16,7 @@ LengthsRequest lengthsRequest(const CutWork& work) {
 
 double lengthOf(const BladeLengths& lengths) {
   if (lengths.best) return *lengths.best;
-  if (lengths.nearest) return *lengths.nearest;
-  const auto nearness = [](const RowTrial& trial) {
-    const bool rests = trial.reaches && trial.margin > 0;
-    return std::pair(rests, rests ? -trial.deviation : trial.margin);
-  };
-  const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
-  return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
+  return lengths.nearest.value_or(Blade::kLongest);
 }
 
 namespace {
@@ -55,7 +48,13 @@ Result<void> seekLengths(const CutWork& work, double& seconds) {
                        if (lengths) lengths->designed = advised && lengths->best;
                        return lengths;
                      });
-  // Those of before may have been sought when nothing was to be advised.
+  // Those of before may have been sought when nothing was left open, or to be advised.
+  if (ok && open && !e.lengths.value->best && !e.lengths.value->nearest) {
+    BladeLengths lengths = *e.lengths.value;
+    findNearest(lengths, *row, asked.lengths, asked.setup.block, asked.setup.planes, work.context);
+    if (work.context.stopped()) return stoppedError();
+    e.lengths.value = std::make_shared<const BladeLengths>(std::move(lengths));
+  }
   if (!ok || !advised || !e.lengths.value->best || e.lengths.value->designed) return ok;
   BladeLengths lengths = *e.lengths.value;
   confirm(lengths, asDesigned);

@@ -10,8 +10,7 @@ namespace bw::pipeline {
 
 LengthsRequest lengthsRequest(const CutWork& work);
 /// Of the lengths that were tried the one that serves best, or else comes nearest to it: the best of those
-/// that served on sections alone, or of the blades that rest and reach the one that lies nearest to its
-/// sections, or that which misses its rest by least.
+/// that served on sections alone, or what `findNearest` finds.
 double lengthOf(const BladeLengths& lengths);
 /// An open length was taken for what its blades do on sections. Where its design fails, or its run, the next
 /// best is computed, and takes its place where it serves.

@@ -116,6 +116,8 @@ class Trials {
     for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
       const StationCheck& seen = check->stations[i];
       trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
+      // What its weight brought into another shape may rest firmly there.
+      if (!seen.stable || !sweep.fits[i].unknown.empty()) trial.margin = std::min(trial.margin, 0.0);
       trial.deviation = std::max(trial.deviation, sweep.fits[i].fit.hausdorff);
       trial.reaches = trial.reaches && reachesFar(seen, request.check);
     }
@@ -472,6 +474,27 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   confirm(lengths, wholeOr(whole, sections, *some, request, block, planes, context));
   if (context.stopped()) return stoppedError();
   return lengths;
+}
+
+void findNearest(BladeLengths& lengths, const std::vector<Section>& sections, const LengthRequest& request,
+                 const Box& block, const PlaneFamily& planes, const RunContext& context) {
+  constexpr int kMost = 8;
+  const Result<Some> some = sectionsToTry(sections);
+  if (lengths.trials.empty() || !some) return;
+  const OnAll onAll(sections, *some, request, block, planes, context);
+  const auto nearness = [](const RowTrial& trial) {
+    const bool rests = trial.reaches && trial.margin > 0;
+    return std::pair(rests, rests ? -trial.deviation : trial.margin);
+  };
+  std::set<double> known;
+  const auto nearest = [&] { return std::ranges::max_element(lengths.trials, {}, nearness); };
+  while (int(known.size()) < kMost && !context.stopped() && known.insert(nearest()->length).second)
+    onAll(*nearest());
+  // Of those that were looked at, as far as there are any.
+  const auto onKnown = [&](const RowTrial& trial) {
+    return std::pair(known.contains(trial.length), nearness(trial));
+  };
+  lengths.nearest = std::ranges::max_element(lengths.trials, {}, onKnown)->length;
 }
 
 Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const LengthRequest& request,

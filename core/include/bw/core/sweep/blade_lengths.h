@@ -57,7 +57,7 @@ struct BladeLengths {
   std::optional<double> best = std::nullopt;  ///< mm; none where none is known to serve
   int stations = 0;                           ///< that each was tried on
   bool designed = false;                      ///< the best serves when all of its design is computed
-  /// mm: what was taken in place of a best one, if that is known.
+  /// mm: what is taken in place of a best one, where there is none (`findNearest`).
   std::optional<double> nearest = std::nullopt;
   /// A stretch of lengths that serve alike: no length that was tried in it does otherwise.
   struct Band {
@@ -85,6 +85,12 @@ struct BladeLengths {
                                                 const LengthRequest& request, const Box& block,
                                                 const PlaneFamily& planes, const RunContext& context,
                                                 const ServesWhole& whole = {});
+
+/// Where no length serves, the one that comes nearest to it: of the blades that rest and reach the one that
+/// lies nearest to its sections, or that which misses its rest by least. What it does on some of the sections
+/// is looked at on all, and taken over; where that is worse, so is the next, eight at most.
+void findNearest(BladeLengths& lengths, const std::vector<Section>& sections, const LengthRequest& request,
+                 const Box& block, const PlaneFamily& planes, const RunContext& context);
 
 /// What of the deviation a row gives for the margin of its blades.
 struct MarginTrade {
