@@ -139,6 +139,18 @@ TEST_P(DesignsCutWhatIsShown, InEachOfTheirBlocks) {
   EXPECT_NEAR(summary["program_deviation_max_mm"].get<double>(), fromTarget, 1e-3);
 }
 
+/// The robots of the usual cell do not reach: the message names the cell whose do.
+TEST(Cells, ThatServeAreNamed) {
+  const Folder folder;
+  const std::string file = example("torus-patch");
+  const Finished made = blade({"rationalize", file, "--out", folder / "out"});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("take the cell \"irb1600-pair-turned\" ("), std::string::npos) << made.err;
+  const std::string job = folder.write("job.json", R"({"cell": "irb1600-pair-turned"})");
+  const Finished mended = blade({"rationalize", file, "--job", job, "--out", folder / "mended"});
+  EXPECT_EQ(mended.status, 0) << mended.err;
+}
+
 /// Straight blades at their full length: the least slack lets them sag.
 TEST(RuledSurfaces, AreCutByStraightBladesThatStaySo) {
   const Folder folder;

@@ -89,6 +89,37 @@ bool forRobots(const std::vector<std::string>& formats) {
   });
 }
 
+/// Another cell that ships with the program in which robots hold the blade of all cuts and nothing is met.
+std::optional<OtherCell> servingCell(const Evaluation& e, const std::string& own) {
+  const Result<std::vector<std::string>> names = cellNames();
+  if (!names) return {};
+  for (const std::string& name : *names) {
+    const Result<Cell> cell = name == own ? fail(ErrorCode::badInput, "it does not", name) : loadCell(name);
+    if (!cell) continue;
+    const bool serves = std::ranges::all_of(e.blocks, [&](const BlockEvaluation& block) {
+      return std::ranges::all_of(block.cuts, [&](const CutEvaluation& cut) {
+        return robotio::checkPlacement(*cut.motion.value, *cell).empty() &&
+               !hasErrors(waysInCell(cut, *cell));
+      });
+    });
+    if (serves) return OtherCell{name, cell->title.empty() ? name : cell->title};
+  }
+  return {};
+}
+
+/// Where robots do not hold the blade, or hold it from the wrong sides: the cell in which they do.
+void adviseCell(const Evaluation& e, const std::string& own, Findings& findings) {
+  const auto concerns = [](const Finding& finding) {
+    return std::holds_alternative<HomeOutOfReach>(finding.cause) ||
+           std::holds_alternative<WrongSide>(finding.cause);
+  };
+  if (std::ranges::none_of(findings, concerns)) return;
+  const std::optional<OtherCell> other = servingCell(e, own);
+  if (!other) return;
+  for (Finding& finding : findings)
+    if (concerns(finding)) finding.remedies = {*other};
+}
+
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
 /// it.
 void judgeCell(Evaluation& e, const Evaluation* previous) {
@@ -111,6 +142,7 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                        }
                                        append(findings, own);
                                      }
+                                   adviseCell(e, asked.output.cell, findings);
                                    return cell;
                                  });
   if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}}};

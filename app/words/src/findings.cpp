@@ -87,6 +87,7 @@ struct Actions {
     return "Take " + std::to_string(r.count) + " stations";
   }
   std::string operator()(const TurnDirection&) const { return "Search the direction"; }
+  std::string operator()(const OtherCell& r) const { return "Take the cell " + r.title; }
   std::string operator()(const WiderTolerance& r) const {
     return "Allow " + shortText(r.tolerance, 6) + " mm";
   }

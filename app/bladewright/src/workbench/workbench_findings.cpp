@@ -96,6 +96,7 @@ struct Mend {
     cut.sections.spacing.reset();
   }
   void operator()(const TurnDirection&) const { cut.direction.reset(); }
+  void operator()(const OtherCell& remedy) const { design.output.cell = remedy.name; }
   void operator()(const WiderTolerance& remedy) const { design.process.tolerance = remedy.tolerance; }
 };
 

@@ -45,6 +45,10 @@ struct MoreStations {
 };
 /// Another cutting direction.
 struct TurnDirection {};
+/// Another of the cells that ship with the program, in which robots hold the blade.
+struct OtherCell {
+  std::string name = {}, title = {};
+};
 /// A wider tolerance.
 struct WiderTolerance {
   double tolerance = 0;
@@ -62,7 +66,7 @@ struct OtherClearance {
 };
 
 using Remedy = std::variant<OtherLength, OtherMargin, OtherClearance, BendingBlade, FlatBlade, LargerSurface,
-                            OtherBlock, CutInParts, MoreStations, TurnDirection, WiderTolerance>;
+                            OtherBlock, CutInParts, MoreStations, TurnDirection, OtherCell, WiderTolerance>;
 using Remedies = std::vector<Remedy>;
 
 /// The first remedy of that kind, or null.
