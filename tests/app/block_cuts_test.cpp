@@ -12,6 +12,7 @@
 #include "bw/core/base/units.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
+#include "bw/pipeline/report_page.h"
 
 namespace bw::pipeline {
 namespace {
@@ -51,6 +52,12 @@ TEST(BlockCuts, TwoThatCrossLeaveTheCreaseDesigned) {
   ASSERT_TRUE(block.together.value);
   ASSERT_EQ(block.together.value->creases.size(), 1u);
   const Crease& crease = block.together.value->creases.front();
+  // The report tells it beside the limits, and both surfaces.
+  const std::string page = reportHtml(reportOf(outcome.evaluation, {}, {}));
+  for (const char* told : {"<td>east: Surface</td>", "<td>north: Surface</td>",
+                           "<td>Edge of north and east, off where the surfaces designed meet</td>",
+                           " certain</td><td>certain or held</td><td class=\"good\">"})
+    EXPECT_NE(page.find(told), std::string::npos) << told;
   // Where base, slope x + bow sin(πx/600) + ripple sin(2πy/600) is the same with x and y exchanged.
   const auto apart = [](const Eigen::Vector3d& p) {
     const double x = p.x() / 600, y = p.y() / 600, pi = M_PI;

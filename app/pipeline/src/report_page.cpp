@@ -4,6 +4,7 @@
 #include "bw/pipeline/report_page.h"
 
 #include <algorithm>
+#include <map>
 
 #include "block_layout.h"
 #include "bw/core/base/units.h"
@@ -55,6 +56,11 @@ class Page {
   drawings::ReportTable* table_ = nullptr;
 };
 
+std::string edgeOf(const Evaluation& e, const BlockEvaluation& part, const Crease& crease) {
+  return (e.blocks.size() > 1 ? part.id + ": e" : "E") + std::string("dge of ") + part.cuts[crease.first].id +
+         " and " + part.cuts[crease.second].id;
+}
+
 std::string verdict(const Evaluation& e) {
   if (!e.complete()) return "There is no result: the findings tell why.";
   const Findings findings = e.findings();
@@ -64,13 +70,23 @@ std::string verdict(const Evaluation& e) {
   return "All stated limits hold.";
 }
 
+/// How many stations rest in which way: "31 certain, 2 held, 0 lost".
+std::string restText(const std::map<Rest, int>& stations) {
+  std::string text;
+  for (const auto& [rest, count] : stations)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + restName(rest);
+  return text;
+}
+
 void limits(Page& page, const Evaluation& e) {
   const Overall all = overallOf(e);
   const SweepSummary& s = all.summary;
   const Design& design = e.design;
   double clearance = 1e300, margin = 1e300, uncoveredLimit = 1e300;
+  std::map<Rest, int> rests;
   for (const Strip& strip : stripsOf(e)) {
     uncoveredLimit = std::min(uncoveredLimit, strip.cut->coverage.value->limit);
+    for (const Rest rest : strip.cut->rest.value->stations) ++rests[rest];
     for (const StationCheck& station : strip.cut->check.value->stations) {
       clearance = std::min(clearance, station.clearance);
       margin = std::min(margin, station.stabilityMargin);
@@ -99,6 +115,14 @@ void limits(Page& page, const Evaluation& e) {
                  "at most " + fixedText(design.process.jointKink, 2) + "°",
                  toDegrees(joints.kinkMax()) <= design.process.jointKink);
   }
+  for (const BlockEvaluation& part : e.blocks) {
+    if (!part.together.value) continue;
+    for (const Crease& crease : part.together.value->creases)
+      page.checked(edgeOf(e, part, crease) + ", off where the surfaces designed meet", mm(crease.offMax),
+                   "at most " + mm(design.process.tolerance), crease.offMax <= design.process.tolerance);
+  }
+  page.checked("Shape of the blade at the stations", restText(rests), "certain or held",
+               !rests.contains(Rest::lost) && !rests.contains(Rest::unknown));
   page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
                "at least " + mm(design.blade.minRadius()),
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
@@ -117,6 +141,12 @@ void limits(Page& page, const Evaluation& e) {
             degrees(s.angleMax)});
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
+  for (const BlockEvaluation& part : e.blocks) {
+    if (!part.together.value) continue;
+    for (const Crease& crease : part.together.value->creases)
+      page.row({edgeOf(e, part, crease), mm(crease.length) + " long, " + mm(crease.offMean) +
+                                             " on the mean from where the surfaces designed meet"});
+  }
   page.row({"Cutting time, leads included", fixedText(all.cuttingTime, 0) + " s"});
   page.row({"Time with entry and exit, too", fixedText(all.runTime, 0) + " s"});
 }
@@ -125,10 +155,13 @@ void parameters(Page& page, const Evaluation& e) {
   const Design& design = e.design;
   page.heading("Parameters");
   page.begin({"Parameter", "Value"});
-  if (const auto& surface = design.source().surface)
-    page.row({"Surface", "designed: " + shapeText(*surface)});
-  else
-    page.row({"CAD file", design.source().path.filename().string()});
+  for (const Source& source : design.sources) {
+    const std::string of = design.sources.size() > 1 ? source.id + ": " : "";
+    if (source.surface)
+      page.row({of + "Surface", "designed: " + shapeText(*source.surface)});
+    else
+      page.row({of + "CAD file", source.path.filename().string()});
+  }
   for (const Variable& variable : design.variables)
     page.row({"Variable " + variable.name,
               shortText(variable.value, 6) + (variable.unit.empty() ? "" : " " + variable.unit)});
@@ -171,11 +204,6 @@ void parameters(Page& page, const Evaluation& e) {
                     " litres" +
                     (solid.pieces() == 1 ? "" : ", " + std::to_string(solid.pieces()) + " pieces")});
     }
-    if (!part.together.value) continue;
-    for (const Crease& crease : part.together.value->creases)
-      page.row({of + "Edge of " + part.cuts[crease.first].id + " and " + part.cuts[crease.second].id,
-                mm(crease.length) + ", up to " + mm(crease.offMax) + " and " + mm(crease.offMean) +
-                    " on the mean from where the surfaces designed meet"});
   }
   for (const Strip& strip : stripsOf(e))
     page.row({stripTitle(e, strip) + "Stations",
@@ -209,7 +237,8 @@ void findings(Page& page, const Evaluation& e) {
 void stations(Page& page, const Evaluation& e, const Strip& strip) {
   const std::string of = stripTitle(e, strip);
   page.heading(of.empty() ? "Stations" : "Stations of " + of.substr(0, of.size() - 2));
-  page.begin({"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin"});
+  page.begin(
+      {"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin", "Shape"});
   const CutResult result = *strip.cut->result();
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView s = result.station(i);
@@ -217,12 +246,15 @@ void stations(Page& page, const Evaluation& e, const Strip& strip) {
     page.row({std::to_string(s.pose.index + 1), fixedText(s.pose.travel, 1),
               fixedText(s.fit.target.length(), 1), fixedText(s.fit.fit.hausdorff, 3),
               radius > 0 ? fixedText(radius, 0) : "straight", degrees(s.check.angleMax),
-              fixedText(s.check.clearance, 0), fixedText(s.check.stabilityMargin, 2)});
+              fixedText(s.check.clearance, 0), fixedText(s.check.stabilityMargin, 2), restName(s.rest)});
   }
   page.paragraph(
       "Lengths in mm. Distance: between the section of the target and its elastica (Hausdorff). Margin: 1 "
       "for "
-      "a straight blade, 0 where it is about to snap.");
+      "a straight blade, 0 where it is about to snap. Shape: certain where no other one rests between the "
+      "same "
+      "grips or this is clearly the lowest, held where it is another that the way in leads to, lost "
+      "otherwise.");
 }
 
 /// Files that a report stands beside, and what they are.
