@@ -64,6 +64,37 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   EXPECT_FALSE(bench().document().undoStack().canUndo());
 }
 
+TEST_F(SurfaceHandlesTest, TheSectionIsThatOfTheHandle) {
+  open("single-block");
+  const auto beside = [&](int handle) {
+    const double y = handles().points[std::size_t(handle)].y();
+    const auto& poses = bench().sweep()->sweep.poses;
+    return int(std::ranges::min_element(
+                   poses, {}, [&](const BladePose& pose) { return std::abs(pose.frame.origin.y() - y); }) -
+               poses.begin());
+  };
+  const int station = beside(kPole);
+  ASSERT_GT(station, 5);
+  ASSERT_LT(bench().selection().station, 0);
+  ASSERT_EQ(window().sectionView().shownStation(), 0);
+  const QPoint from = hover(kPole);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  EXPECT_EQ(window().sectionView().shownStation(), station);
+  EXPECT_LT(bench().selection().station, 0) << "what was selected stays so";
+  EXPECT_FALSE(bench().moving());
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), from - QPoint(0, 3 * i));
+  ASSERT_TRUE(followed());
+  EXPECT_EQ(window().sectionView().shownStation(), station);
+  picture("handle-and-its-section");
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from);
+  ASSERT_TRUE(settle());
+  // Where a station is selected, that goes along.
+  bench().selectStation(2);
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, hover(kPole + 4));
+  EXPECT_EQ(bench().selection().station, beside(kPole + 4));
+}
+
 TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {
   open("key-blade-fan");
   ASSERT_EQ(handles().points.size(), 12u) << "middles, and the ends of each";
@@ -355,6 +386,20 @@ TEST_F(SurfaceHandlesTest, SeveralPolesMoveTogetherFineAndCoarse) {
   EXPECT_LT(height(3, 2) - b, 0.3 * coarsely);
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, from);
   ASSERT_TRUE(settle());
+}
+
+TEST_F(SurfaceHandlesTest, AnotherDesignBeginsWithNoneChosenAndAMapOfItsOwn) {
+  open("two-crossing-cuts");
+  window().commands()["map.crease"]->trigger();
+  ASSERT_EQ(view().sceneStyle()[scene::Kind::cut].map, "crease");
+  open("single-block");
+  EXPECT_EQ(view().sceneStyle()[scene::Kind::cut].map, "deviation") << "it has no crease";
+  window().commands()["map.angle"]->trigger();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, hover(kPole));
+  ASSERT_FALSE(window().surfaceHandles().chosen().empty());
+  open("bump");
+  EXPECT_TRUE(window().surfaceHandles().chosen().empty());
+  EXPECT_EQ(view().sceneStyle()[scene::Kind::cut].map, "angle") << "the map of all stays";
 }
 
 TEST_F(SurfaceHandlesTest, AreThereForWhatIsDesignedOnly) {

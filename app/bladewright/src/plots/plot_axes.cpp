@@ -20,6 +20,18 @@ constexpr double kBetweenX = 64, kBetweenY = 26;  ///< pixels that a number want
 constexpr double kGapX = 8;
 constexpr int kMostTicks = 60;
 
+double stepOf(const AxisTicks& ticks) {
+  return ticks.values.size() > 1 ? ticks.values[1] - ticks.values[0] : 1;
+}
+
+/// Of ticks that lie so many pixels apart every first, second, fifth or tenth has a number, which needs room.
+int numbered(double apart, double room) {
+  int each = 1;
+  for (const int more : {2, 5, 10})
+    if (each * apart < room) each = more;
+  return each;
+}
+
 }  // namespace
 
 AxisRange AxisRange::zoomed(double about, double factor, const AxisRange& whole) const {
@@ -58,15 +70,11 @@ void paintBottomAxis(QPainter& painter, const QRectF& area, const AxisRange& ran
   const double unitWidth = metrics.horizontalAdvance(unit);
   painter.setPen(QPen(c.line, 1));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
-  // Where numbers are wide, every second tick has one, every fifth or every tenth.
   double widest = 0;
   for (const double value : ticks.values)
     widest = std::max(widest, double(metrics.horizontalAdvance(axisText(value, ticks.decimals))));
-  const double step = ticks.values.size() > 1 ? ticks.values[1] - ticks.values[0] : 1;
-  const double apart = area.width() * step / range.span();
-  int each = 1;
-  for (const int more : {2, 5, 10})
-    if (each * apart < widest + kGapX) each = more;
+  const double step = stepOf(ticks);
+  const int each = numbered(area.width() * step / range.span(), widest + kGapX);
   for (const double value : ticks.values) {
     const double x = area.left() + area.width() * (value - range.low) / range.span();
     painter.setPen(QPen(c.line, 1, grid ? Qt::DotLine : Qt::SolidLine));
@@ -92,10 +100,13 @@ void paintLeftAxis(QPainter& painter, const QRectF& area, const AxisRange& range
   const AxisTicks ticks = axisTicks(range, std::max(1, int(area.height() / kBetweenY)));
   painter.setFont(Theme::secondaryFont());
   const QFontMetrics metrics(painter.font());
+  const double step = stepOf(ticks);
+  const int each = numbered(area.height() * step / range.span(), 1.4 * metrics.height());
   for (const double value : ticks.values) {
     const double y = area.bottom() - area.height() * (value - range.low) / range.span();
     painter.setPen(QPen(c.line, 1, grid ? Qt::DotLine : Qt::SolidLine));
     painter.drawLine(QPointF(area.left() - kTick, y), QPointF(grid ? area.right() : area.left(), y));
+    if (std::llround(value / step) % each != 0) continue;
     painter.setPen(c.secondary);
     painter.drawText(QRectF(area.left() - 200, y - 0.5 * metrics.height(), 200 - kTick - 3, metrics.height()),
                      Qt::AlignRight | Qt::AlignVCenter, axisText(value, ticks.decimals));

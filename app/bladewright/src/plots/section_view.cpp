@@ -101,7 +101,10 @@ QRectF SectionView::curvatureArea() const {
 SectionFrame SectionView::seen() const { return hold_ ? hold_->seen : frame(); }
 
 SectionFrame SectionView::frame() const {
-  return {sectionArea(), window_.isNull() ? drawing_.bounds : window_};
+  constexpr double kGrip = 12;  // px beside the ends of the blade
+  const QRectF area = sectionArea(), &all = drawing_.bounds;
+  const double room = kGrip * all.width() / std::max(1.0, area.width() - 2 * kGrip);
+  return {area, window_.isNull() ? all.adjusted(-room, 0, room, 0) : window_};
 }
 
 AxisRange SectionView::wholeAlong() const {

@@ -30,6 +30,8 @@ class SectionView : public QWidget {
   /// How many times the distance between elastica and target is drawn larger than it is.
   void setExaggeration(double factor);
   double exaggeration() const { return exaggeration_; }
+  /// The station that is shown; −1 without one.
+  int shownStation() const;
   /// Where the bar of a station stands, for tests and screen readers.
   QRectF barRect(int station) const;
   /// Where the section and the curvature are plotted.
@@ -83,7 +85,6 @@ class SectionView : public QWidget {
   /// Comes nearer to a place of the widget by a factor below 1, or goes away from it.
   void zoomAt(const QPointF& position, double factor);
   void showAll();
-  int shownStation() const;
   /// Lets go of the grip that is held.
   void letGo(bool givenUp);
 

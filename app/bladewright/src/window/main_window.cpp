@@ -10,6 +10,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/shape/surface_blades.h"
+#include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/moulds.h"
 #include "controls/layout.h"
@@ -102,6 +103,13 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
     pictured_.reset();
     staleShown_ = false;
     ordered_ = nullptr;
+    handles_->choose({});
+    // Another design may have no creases to be coloured.
+    scene::Style style = mapBar_->style();
+    if (const MapInfo* map = cutMap(style[scene::Kind::cut].map); map && !map->ofCut) {
+      style[scene::Kind::cut].map = "deviation";
+      mapBar_->setStyle(style);
+    }
   });
   connect(&bench_.settings(), &model::Settings::recentFilesChanged, this, &MainWindow::refreshRecent);
   connect(&theme, &Theme::changed, this, [this] {

@@ -385,6 +385,7 @@ std::string SurfaceHandles::pullText() const {
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (handle >= count()) return;  // another's
   grab(handle, keys);
+  bench_.lookBeside(placeOf(handle));
   const Eigen::Vector3d travel = way(HandleNumber::across).cross(way());
   if (std::abs(view_->rayAt(position).second.dot(travel)) < kAlongTravel) pull_->freely = false;
   pull_->began = handAt(position).value_or(Eigen::Vector2d(0, 0));
@@ -540,6 +541,7 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step, bool any
       number == HandleNumber::height ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(1, 0);
   if (!pull_) {
     begin({chosen_.back(), false, *surface, *surface, bench_.document().design(), along});
+    bench_.lookBeside(placeOf(chosen_.back()));
   } else if (pull_->along != along) {
     pull_->base = *surface;
     pull_->along = along;

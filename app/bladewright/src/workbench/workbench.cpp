@@ -84,6 +84,7 @@ void Workbench::onReplaced() {
   messages_.clear();
   exportFindings_.clear();
   exported_.clear();
+  exportTo_.clear();
   exportFolder_.clear();
   exportedFiles_.clear();
   exportProblem_.clear();
@@ -205,6 +206,22 @@ void Workbench::setPlayTime(double seconds) {
 void Workbench::setMoving(bool moving) {
   if (moving_ == moving) return;
   moving_ = moving && sweep();
+  tellChanged(Aspect::playTime);
+}
+
+void Workbench::lookBeside(const Eigen::Vector3d& place) {
+  const auto result = sweep();
+  if (!result || result->sweep.poses.empty()) return;
+  const Sweep& row = result->sweep;
+  const double level = row.planes.level(place);
+  const auto nearest = std::ranges::min_element(row.poses, {}, [&](const BladePose& pose) {
+    return std::abs(row.planes.level(pose.frame.origin) - level);
+  });
+  const int station = int(nearest - row.poses.begin());
+  if (selection_.station >= 0) return selectStation(station);
+  const double time = timeOfStation(station);
+  if (time == playTime_) return;
+  playTime_ = time;
   tellChanged(Aspect::playTime);
 }
 

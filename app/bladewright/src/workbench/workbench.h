@@ -144,6 +144,9 @@ class Workbench : public QObject {
   double playTime() const { return playTime_; }
   double playEnd() const;
   void setPlayTime(double seconds);
+  /// Turns to the station beside a place, in the file's frame: that is selected where a station is, else the
+  /// time is that at which the blade passes there.
+  void lookBeside(const Eigen::Vector3d& place);
   /// The time at which the blade passes a station.
   double timeOfStation(int station) const;
   /// The station (fractional) that the blade stands at; −1 without a result.
@@ -221,6 +224,9 @@ class Workbench : public QObject {
   }
   bool canExportPrograms() const { return canExport() && !design().output.programs.empty(); }
   bool exporting() const { return exporting_; }
+  /// The folder that exports of the open design go to; empty where each is to ask for one.
+  const std::filesystem::path& exportTo() const { return exportTo_; }
+  void setExportTo(const std::filesystem::path& folder);
   /// Where the last export of the open design went; empty before.
   const std::filesystem::path& exportFolder() const { return exportFolder_; }
   /// What it wrote there, relative to it, in the order of writing.
@@ -369,7 +375,7 @@ class Workbench : public QObject {
   Findings exportFindings_;              ///< of what was written last: other sections, and of its programs
   QStringList leftOut_;                  ///< words of kinds of files
   std::set<std::string> blocksLeftOut_;  ///< ids
-  std::filesystem::path exportFolder_;
+  std::filesystem::path exportTo_, exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
   std::string exported_;       ///< `model::exportKey` of what was written last; empty: nothing
   bool exportedPart_ = false;  ///< some of its files or blocks alone

@@ -405,6 +405,10 @@ void Workbench::setWanted(pipeline::FileKind kind, bool on) {
   tellChanged(Aspect::state);
 }
 
+void Workbench::setExportTo(const std::filesystem::path& folder) {
+  if (std::exchange(exportTo_, folder) != folder) tellChanged(Aspect::state);
+}
+
 void Workbench::setBlockWanted(const std::string& block, bool on) {
   on ? void(blocksLeftOut_.erase(block)) : void(blocksLeftOut_.insert(block));
   tellChanged(Aspect::state);
