@@ -177,7 +177,7 @@ void addVaryVerb(CLI::App& app, const Session& session, Work& work) {
       ->type_name("DIR")
       ->required();
   verb->footer(
-      "Example:\n  blade vary ripple.bladewright --over amplitude=10:40 --count 7 --out out/ripples");
+      "Example:\n  blade vary ripple.bladewright --over amplitude=10:30 --count 5 --out out/ripples");
   onChosen(*verb, session, work, options, runVary);
 }
 

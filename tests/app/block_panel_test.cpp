@@ -485,6 +485,20 @@ TEST_F(BlockPanelTest, ABlockGetsItsSecondMould) {
   EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   QTest::qWait(50);
   picture("moulds-made");
+  // One lies over the other: the plan shows one at a time.
+  ASSERT_EQ(plan().layers(), 2);
+  std::set<std::string> seen;
+  for (const int layer : {0, 1}) {
+    plan().setLayer(layer);
+    int there = 0;
+    for (const StockBlock& block : bench().design().stock) {
+      if (plan().rectOf(block.id).isEmpty()) continue;
+      ++there;
+      seen.insert(block.id);
+    }
+    EXPECT_EQ(there, 1) << layer;
+  }
+  EXPECT_EQ(seen.size(), 2u);
   // A second time they have their offset, which is told before anything is asked.
   bool asked = false;
   window().questions().panelThickness = [&](double) {

@@ -10,6 +10,7 @@
 #include "controls/numbers.h"
 #include "window_fixture.h"
 #include "workflow/export_blocks.h"
+#include "workflow/output_fields.h"
 
 namespace bw::app {
 namespace {
@@ -266,6 +267,46 @@ TEST_F(Exports, TellWhereFilesHoldOtherSectionsThanTheScreen) {
   const Result<Design> written = loadDesign(folder() / pipeline::kDesignFile);
   ASSERT_TRUE(written);
   EXPECT_EQ(bench().sweep()->size(), seen) << "the screen stays as it was";
+}
+
+TEST_F(Exports, GoToTheFolderThatIsTold) {
+  ASSERT_NO_FATAL_FAILURE(openLinked());
+  auto* field = window().workflow().findChild<FolderField*>();
+  ASSERT_TRUE(field);
+  window().workflow().ensureWidgetVisible(field);
+  const auto type = [&](const std::string& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, QString::fromStdString(text));
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  type("somewhere");
+  EXPECT_TRUE(field->refused());
+  type(source().string());
+  EXPECT_TRUE(field->refused()) << "a file";
+  type((folder() / "in/there").string());
+  EXPECT_TRUE(field->refused()) << "in no folder";
+  picture("export-folder-refused");
+  ASSERT_TRUE(outputButton("Export everything…"));
+  const fs::path told = path("told");
+  type(told.string());
+  EXPECT_FALSE(field->refused());
+  QPushButton* button = outputButton("Export everything");
+  ASSERT_TRUE(button);
+  picture("export-folder");
+  window().exportEverything();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(fs::exists(told / "report.json"));
+  EXPECT_EQ(asked_, 0);
+  // Chosen, emptied.
+  QTest::mouseClick(outputButton("Choose folder…"), Qt::LeftButton);
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(bench().exportTo(), folder());
+  EXPECT_EQ(field->text().toStdString(), folder().string());
+  type("");
+  EXPECT_TRUE(bench().exportTo().empty());
+  EXPECT_TRUE(outputButton("Export everything…"));
 }
 
 TEST_F(Exports, OfProgramsNeedAFormat) {

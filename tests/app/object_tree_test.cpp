@@ -57,6 +57,21 @@ class ObjectTreeTest : public WindowTest {
   }
 };
 
+TEST_F(ObjectTreeTest, BlocksOfAGridSayWhyTheyHaveNoOtherName) {
+  ASSERT_TRUE(window().openExample("three-block-wall"));
+  ASSERT_TRUE(bench().design().grid);
+  QTreeWidgetItem* block = line(Kind::block, "column-1");
+  ASSERT_TRUE(block);
+  click(block, ObjectTree::name);
+  QTest::keyClick(&tree(), Qt::Key_F2);
+  EXPECT_FALSE(tree().viewport()->findChild<QLineEdit*>()) << "no field that is refused afterwards";
+  EXPECT_TRUE(window().banner().text().contains("from their place"));
+  // Their surface has.
+  click(line(Kind::surface, bench().design().sources[0].id), ObjectTree::name);
+  QTest::keyClick(&tree(), Qt::Key_F2);
+  EXPECT_TRUE(tree().viewport()->findChild<QLineEdit*>());
+}
+
 TEST_F(ObjectTreeTest, ListsBlocksCutsSurfacesCurvesAndStations) {
   ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
   EXPECT_EQ(tree().topLevelItemCount(), 3);
@@ -343,11 +358,6 @@ TEST_F(ObjectTreeTest, AnotherNameStandsEverywhere) {
   bench().document().undoStack().setIndex(0);
   EXPECT_EQ(bench().design(), before);
   EXPECT_TRUE(line(Kind::cut, "north"));
-  // Blocks of a grid are called after their place.
-  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
-  ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "column-1"), "left"));
-  EXPECT_TRUE(line(Kind::block, "column-1"));
-  EXPECT_TRUE(window().banner().text().contains("from their place"));
 }
 
 TEST_F(ObjectTreeTest, ACurveIsChosenInTheTreeAndInThePicture) {

@@ -8,6 +8,7 @@
 #include "every_field.h"
 #include "workflow/grid_fields.h"
 #include "workflow/kerf_table_field.h"
+#include "workflow/output_fields.h"
 #include "workflow/variable_fields.h"
 
 namespace bw::app {
@@ -193,6 +194,16 @@ class TypedFields : public EveryFieldTest {
       ASSERT_EQ(bench().design().versions.size(), 1u);
       EXPECT_EQ(bench().design().versions[0].name, "Fl\u00e4che 1,5");
       expectRefused(*name, "Fl\u00e4che 1,5");
+    } else if (auto* folder = qobject_cast<FolderField*>(&typed)) {
+      const std::string there = path("").parent_path().string();
+      for (const std::string& text : {there, there + "/new, 1.5"}) {
+        typeOver(*folder, QString::fromStdString(text));
+        QTest::keyClick(folder, Qt::Key_Return);
+        EXPECT_FALSE(folder->refused()) << text << ": " << folder->refusal().toStdString();
+        EXPECT_EQ(bench().exportTo(), std::filesystem::path(text));
+        EXPECT_TRUE(window().sceneView().hasFocus());
+      }
+      for (const char* text : {"folder", "/proc/self/stat", "/no/such/place"}) expectRefused(*folder, text);
     } else {
       auto& list = dynamic_cast<ListField&>(typed);
       list.setCount(8);

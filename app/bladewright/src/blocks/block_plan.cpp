@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bw/core/text/number_text.h"
@@ -65,6 +66,7 @@ void BlockPlan::makeCells() {
                         standings[i]});
     }
   } else {
+    std::vector<double> bottoms;
     for (std::size_t i = 0; i < design.stock.size(); ++i) {
       Bounds bounds;
       if (const auto& placed = design.stock[i].placement)
@@ -73,10 +75,25 @@ void BlockPlan::makeCells() {
       const Eigen::Vector3d size = bounds.size();
       cells_.push_back(
           {design.stock[i].id, QRectF(bounds.min.x(), bounds.min.y(), size.x(), size.y()), {}, standings[i]});
+      bottoms.push_back(bounds.min.z());
     }
+    layCells(bottoms);
   }
   whole_ = {};
   for (const Cell& cell : cells_) whole_ |= cell.place;
+}
+
+void BlockPlan::layCells(const std::vector<double>& bottoms) {
+  constexpr double kOver = 1;  // mm that one block lies over another
+  std::vector<std::size_t> upwards(cells_.size());
+  std::iota(upwards.begin(), upwards.end(), std::size_t(0));
+  std::ranges::stable_sort(upwards, {}, [&](std::size_t i) { return bottoms[i]; });
+  for (auto at = upwards.begin(); at != upwards.end(); ++at)
+    for (auto below = upwards.begin(); below != at; ++below) {
+      const QRectF both = cells_[*at].place & cells_[*below].place;
+      if (both.width() > kOver && both.height() > kOver)
+        cells_[*at].at[2] = std::max(cells_[*at].at[2], cells_[*below].at[2] + 1);
+    }
 }
 
 void BlockPlan::refresh() {
@@ -84,7 +101,8 @@ void BlockPlan::refresh() {
   if (pull_ && (!bench_.design().grid || bench_.design().stock.size() != pull_->from.stock.size()))
     pull_.reset();
   makeCells();
-  const int layers = grid_ ? int(grid_->sizes[2].size()) : 1;
+  int layers = grid_ ? int(grid_->sizes[2].size()) : 1;
+  for (const Cell& cell : cells_) layers = std::max(layers, cell.at[2] + 1);
   int layer = std::min(layer_, layers - 1);
   if (const Cell* cell = selected(); cell && std::exchange(shown_, cell->id) != cell->id) {
     layer = cell->at[2];

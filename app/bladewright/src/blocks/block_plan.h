@@ -77,6 +77,9 @@ class BlockPlan : public QWidget {
   };
 
   void makeCells();
+  /// Blocks that stand anywhere are in layers, too, where one lies over another: by the heights of their
+  /// bottoms, mm.
+  void layCells(const std::vector<double>& bottoms);
   /// Pixels a mm, and where the first corner lies.
   std::pair<double, QPointF> scale() const;
   QRectF toWidget(const QRectF& place) const;

@@ -111,7 +111,7 @@ ObjectTree::ObjectTree(Workbench& bench, const Theme& theme, QWidget* parent)
     if (column == name) select(*item);
   });
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
-    if (column == name && (item->flags() & Qt::ItemIsEditable)) editItem(item, name);
+    if (column == name) beginRenaming(*item);
   });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     if (!busy_) rename(*item);
@@ -147,7 +147,9 @@ QTreeWidgetItem* ObjectTree::addLine(QTreeWidgetItem* parent, const QString& tex
   lines_.push_back(line);
   item->setText(name, text);
   if (icon) item->setIcon(name, iconOf(icon, theme_.colours().secondary));
-  const bool named = line.object && line.object->kind != Object::Kind::stations;
+  const bool named = line.object && line.object->kind != Object::Kind::stations &&
+                     (!bench_.design().grid || line.object->kind == Object::Kind::surface ||
+                      line.object->kind == Object::Kind::curve);
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (named ? Qt::ItemIsEditable : Qt::NoItemFlags));
   return item;
 }
@@ -168,7 +170,7 @@ void ObjectTree::fillCurves(QTreeWidgetItem& surface) {
 void ObjectTree::rebuild() {
   // What is there and how it is called; numbers do not matter.
   const Design& design = bench_.design();
-  std::string now;
+  std::string now = design.grid ? "grid\n" : "";
   for (const StockBlock& block : design.stock) now += block.id + "\n";
   for (const Cut& cut : design.cuts) now += "\t" + cut.id + "\t" + cut.block + "\t" + cut.source + "\n";
   for (const Source& source : design.sources) now += namesOfCurves(source).join(' ').toStdString() + "\n";
@@ -266,9 +268,7 @@ void ObjectTree::paint(QTreeWidgetItem& item) {
   const bool locked = bench_.locked(*line.object);
   sign(kept, locked ? "lock" : "lock-open", locked,
        locked ? tr("%1 is locked: nothing changes it").arg(what) : tr("%1 may be changed").arg(what));
-  const bool named = (item.flags() & Qt::ItemIsEditable) &&
-                     (!bench_.design().grid || line.object->kind == Object::Kind::surface ||
-                      line.object->kind == Object::Kind::curve);
+  const bool named = item.flags() & Qt::ItemIsEditable;
   item.setToolTip(name, named ? tr("%1 (F2 gives it another name)").arg(what) : what);
 }
 
@@ -350,6 +350,14 @@ std::optional<ObjectTree::CurveName> ObjectTree::nameOfCurve(const QTreeWidgetIt
                    text(curveWord(*source->surface, curve->curve))};
 }
 
+void ObjectTree::beginRenaming(QTreeWidgetItem& item) {
+  const std::optional<Object>& object = lineOf(item).object;
+  if (item.flags() & Qt::ItemIsEditable)
+    editItem(&item, name);
+  else if (object && object->kind != Object::Kind::stations)
+    (void)bench_.rename(*object, {});  // which tells why not
+}
+
 void ObjectTree::rename(const QTreeWidgetItem& item) {
   const std::optional<Object> object = lineOf(item).object;
   if (!object || object->kind == Object::Kind::stations) return;
@@ -369,7 +377,7 @@ void ObjectTree::keyPressEvent(QKeyEvent* event) {
   if (item && event->modifiers() == Qt::NoModifier) {
     if (event->key() == Qt::Key_V) return toggle(*item, seen);
     if (event->key() == Qt::Key_L) return toggle(*item, kept);
-    if (event->key() == Qt::Key_F2 && (item->flags() & Qt::ItemIsEditable)) return editItem(item, name);
+    if (event->key() == Qt::Key_F2) return beginRenaming(*item);
     if (event->key() == Qt::Key_Escape && returnKeyboard(*this)) return;
   }
   QTreeWidget::keyPressEvent(event);

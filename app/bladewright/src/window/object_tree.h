@@ -62,6 +62,8 @@ class ObjectTree : public QTreeWidget {
   const Line& lineOf(const QTreeWidgetItem& item) const;
   void select(const QTreeWidgetItem& item);
   void toggle(const QTreeWidgetItem& item, int column);
+  /// Opens the field of a name, or tells why there is none.
+  void beginRenaming(QTreeWidgetItem& item);
   void rename(const QTreeWidgetItem& item);
   /// Of the line of a curve; nothing for other lines.
   std::optional<CurveName> nameOfCurve(const QTreeWidgetItem& item) const;

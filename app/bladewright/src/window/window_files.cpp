@@ -109,7 +109,8 @@ void MainWindow::exportEverything() {
 
 void MainWindow::order(const std::function<void(const std::filesystem::path&)>& write) {
   if (!numbersStand() || !bench_.canExport()) return;
-  const QString folder = questions_.exportFolder();
+  const QString folder = bench_.exportTo().empty() ? questions_.exportFolder()
+                                                   : QString::fromStdString(bench_.exportTo().string());
   if (folder.isEmpty()) return;
   ordered_ = [write, folder] { write(folder.toStdString()); };
   if (!bench_.runner().busy()) return runOrder();

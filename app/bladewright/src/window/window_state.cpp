@@ -150,6 +150,10 @@ void MainWindow::makeWorkspace() {
     refreshState();
   });
   const OutputFields* output = workflow_->outputFields();
+  connect(output, &OutputFields::folderRequested, this, [this] {
+    if (const QString folder = questions_.exportFolder(); !folder.isEmpty())
+      bench_.setExportTo(folder.toStdString());
+  });
   connect(output, &OutputFields::exportRequested, this, &MainWindow::exportEverything);
   connect(output, &OutputFields::programsRequested, this, &MainWindow::exportPrograms);
   connect(output, &OutputFields::pictureRequested, this, &MainWindow::exportPicture);

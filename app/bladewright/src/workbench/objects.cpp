@@ -119,14 +119,14 @@ Result<Design> renamed(const Design& design, const Object& object, const std::st
   const auto refuse = [](const std::string& why) { return fail(ErrorCode::badInput, why, "name"); };
   if (const auto curve = object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt)
     return curveRenamed(design, *curve, name);
+  if (design.grid && object.kind != Object::Kind::surface)
+    return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
   if (name.find_first_not_of(" \t") == std::string::npos) return refuse("a name must not be empty");
   if (name.size() > kLongest) return refuse("a name has " + std::to_string(kLongest) + " characters at most");
   if (name.find_first_of("/\\:*?\"<>|") != std::string::npos || name.front() == '.' ||
       printable(name) != name)
     return refuse(
         "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it");
-  if (design.grid && object.kind != Object::Kind::surface)
-    return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
   const bool isTaken = object.kind == Object::Kind::block     ? taken(design.stock, object, name)
                        : object.kind == Object::Kind::surface ? taken(design.sources, object, name)
                                                               : taken(design.cuts, object, name);

@@ -3,6 +3,8 @@
 #include "workflow/output_fields.h"
 
 #include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
 #include <QUrl>
 
 #include <algorithm>
@@ -19,6 +21,33 @@ bool asked(const Design& design, const ProgramFormat& format) {
 }
 
 }  // namespace
+
+FolderField::FolderField(Workbench& bench, QWidget* parent) : TypedField(parent), bench_(bench) {
+  setAccessibleName(tr("Folder of exports"));
+  setPlaceholderText(tr("Asked for at each export"));
+  setToolTip(tr("Where exports go; what others put there stays"));
+}
+
+QString FolderField::take(const QString& text) {
+  QString typed = text.trimmed();
+  if (typed == "~" || typed.startsWith("~/")) typed = QDir::homePath() + typed.mid(1);
+  const QFileInfo folder(typed);
+  if (!typed.isEmpty()) {
+    if (folder.isRelative())
+      return tr("\"%1\" does not begin with / or ~; tell the folder from there on").arg(typed);
+    if (folder.exists() ? !folder.isDir() : !QFileInfo(folder.absolutePath()).isDir())
+      return folder.exists() ? tr("%1 is a file; tell a folder").arg(typed)
+                             : tr("there is no folder %1").arg(folder.absolutePath());
+  }
+  bench_.setExportTo(typed.isEmpty() ? std::string() : QDir::cleanPath(typed).toStdString());
+  return {};
+}
+
+QString FolderField::valueText() const { return QString::fromStdString(bench_.exportTo().string()); }
+
+QString FolderField::limitsText() const {
+  return tr("A folder that is there, or a new one in such a folder");
+}
 
 OutputFields::OutputFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent)
     : QObject(parent), bench_(bench) {
@@ -56,6 +85,10 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, const Theme& th
                   "checked and shown again.")));
   column->addHeading(tr("Blocks"));
   blocks_ = column->addWide(new ExportBlocks(bench, theme));
+  column->addHeading(tr("Folder"));
+  folder_ = column->addWide(new FolderField(bench));
+  column->addWide(makeButton(tr("Choose folder…"), tr("Choose or make the folder that exports go to"), this,
+                             &OutputFields::folderRequested));
   column->addGap();
   export_ = column->addWide(makeButton(
       tr("Export everything…"),
@@ -90,7 +123,11 @@ void OutputFields::refreshState() {
   const bool parts = design.source().surface || design.stock.size() > 1 || design.cuts.size() > 1;
   for (const pipeline::FileKind kind : {pipeline::FileKind::workshop, pipeline::FileKind::parts})
     kinds_[std::size_t(kind)]->setEnabled(parts);
-  export_->setText(wanted == pipeline::Wanted() ? tr("Export everything…") : tr("Export what is chosen…"));
+  folder_->refresh();
+  const QString asks = bench_.exportTo().empty() ? QStringLiteral("…") : QString();
+  export_->setText((wanted == pipeline::Wanted() ? tr("Export everything") : tr("Export what is chosen")) +
+                   asks);
+  exportPrograms_->setText(tr("Export programs") + asks);
   export_->setEnabled(bench_.canExport());
   exportPrograms_->setEnabled(bench_.canExportPrograms());
   const QString folder = QString::fromStdString(bench_.exportFolder().string());

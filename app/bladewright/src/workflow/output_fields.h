@@ -12,10 +12,28 @@
 #include <vector>
 
 #include "controls/fields.h"
+#include "controls/typed_field.h"
 #include "workbench/workbench.h"
 #include "workflow/export_blocks.h"
 
 namespace bw::app {
+
+/// A line that takes the folder of exports; empty: each asks for one.
+class FolderField : public TypedField {
+  Q_OBJECT
+
+ public:
+  explicit FolderField(Workbench& bench, QWidget* parent = nullptr);
+  void refresh() { showValue(text() != valueText()); }
+
+ protected:
+  QString take(const QString& text) override;
+  QString valueText() const override;
+  QString limitsText() const override;
+
+ private:
+  Workbench& bench_;
+};
 
 /// What is written: programs and their cell, kinds of files, blocks, and the buttons that write them. What
 /// programs are made of is an edit of the design.
@@ -32,6 +50,8 @@ class OutputFields : public QObject {
   void refreshBlocks() { blocks_->refresh(); }
 
  signals:
+  /// A folder is to be chosen.
+  void folderRequested();
   void exportRequested();
   void programsRequested();
   void pictureRequested();
@@ -42,6 +62,7 @@ class OutputFields : public QObject {
   std::array<QCheckBox*, pipeline::kFileKinds> kinds_{};
   ExportBlocks* blocks_;
   ChoiceField* cell_;
+  FolderField* folder_;
   std::vector<std::string> cells_;
   QPushButton *export_, *exportPrograms_;
   QLabel* exported_;
