@@ -621,6 +621,28 @@ TEST(OnTheWay, StraightBladesCutChordsToo) {
   EXPECT_NEAR(way->fromShown, 0.5, 0.02) << "the skin leaves the parabola by 0.01";
 }
 
+TEST(OnTheWay, BeyondTheEndsOfTheSurfaceShownThereIsNoneToLeave) {
+  // A flat target that gets narrower at once, as where its border steps back.
+  test::RowSettings settings;
+  Findings findings;
+  const Box block = test::blockUnder(kHalf, 120, -10, 200);
+  const Result<Sweep> sweep = buildSweep(
+      test::sectionsOf(
+          7, 20,
+          [](int i) { return test::graphCurve(i < 3 ? kHalf : 0.5 * kHalf, [](double) { return 0; }); }),
+      settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  const test::PlaneSampler target(Vector3d::UnitZ());
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
+  ASSERT_TRUE(analysis);
+  const Result<RowMotion> motion = followRow(*sweep, settings, {});
+  ASSERT_TRUE(motion);
+  const Result<WayDeviation> way = deviationOf(*motion, *sweep, *analysis, settings, target, {});
+  ASSERT_TRUE(way);
+  EXPECT_LT(way->fromShown, 0.01);
+  EXPECT_FALSE(test::findingOf<OffTheSurfaceShown>(way->findings));
+}
+
 TEST(OnTheWay, AnyExcessOverTheToleranceIsTold) {
   // Just above the tolerance, which the surface shown just keeps.
   test::RowSettings settings;

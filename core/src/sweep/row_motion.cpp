@@ -34,6 +34,7 @@ constexpr double kSameShape = 0.1;  // mm: a blade arrives in the shape of its s
 constexpr int kMostMoves = 40;      // from station to station
 constexpr double kRoom = 1.15;      // in how far the way is off for each number of moves
 constexpr double kOfChords = 0.6;   // of the tolerance: the rest is left to the surface between the targets
+constexpr double kEdge = 0.01;      // mm beyond the end of a row of the surface shown: rounding
 constexpr double kLongest = 1;      // s of a move past stations: whoever steps through a program sees the row
 
 /// The way of the blade from one station to another.
@@ -403,7 +404,9 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
         way.deviationMax = away;
         way.worst = place;
       }
-      off[instant.station] = std::max(off[instant.station], shown.look(place).distance);
+      // Beyond the end of a row there is no surface that it could leave.
+      if (const sweep::SurfaceRows::Seen seen = shown.look(place); seen.beside <= kEdge)
+        off[instant.station] = std::max(off[instant.station], seen.distance);
     }
   }
   // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
