@@ -163,11 +163,15 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
     view().fitBounds(away, false);
     list.scrollToItem(list.item(i));
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(i)).center());
+    const auto framed = [&] {
+      const auto corners = bench().shown()->cut().setup->block.corners();
+      return std::ranges::all_of(corners, [&](const Eigen::Vector3d& corner) { return inPicture(corner); });
+    };
+    // The camera may not have left yet.
+    EXPECT_TRUE(QTest::qWaitFor(framed, kPatience)) << list.item(i)->text().toStdString();
     ASSERT_TRUE(still());
+    EXPECT_TRUE(framed()) << list.item(i)->text().toStdString();
     const auto& marker = view().sceneStyle().marker;
-    const auto shown = bench().shown();
-    for (const Eigen::Vector3d& corner : shown->cut().setup->block.corners())
-      EXPECT_TRUE(inPicture(corner)) << list.item(i)->text().toStdString();
     if (!marker) continue;
     ++marked;
     EXPECT_TRUE(inPicture(marker->point));
