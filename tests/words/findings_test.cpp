@@ -241,7 +241,7 @@ TEST(Findings, TellWhereAProgramIsTooFast) {
   Finding finding{Severity::warning, TooFastOnTheWay{27.1, 20}, {StationRange{3, 4, 3, 0}, {}}, {}};
   EXPECT_EQ(words::sentence(finding, words::Reader::window),
             "on the way from station 4 to station 5 a point of the blade goes at 27.1 mm/s (cutting speed "
-            "20 mm/s), so that it melts less there; take a lower cutting speed");
+            "20 mm/s), so that it melts less there");
 }
 
 TEST(Findings, TellTheClearanceThatServes) {

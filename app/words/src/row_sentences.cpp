@@ -515,10 +515,9 @@ std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
 }
 
 std::string Sentences::operator()(const TooFastOnTheWay& cause) const {
+  // No remedy: at another cutting speed all of the program is as much slower or faster.
   return onTheWay(finding, at()) + "a point of the blade goes at " + shortText(cause.speed) +
-         " mm/s (cutting speed " + shortText(cause.limit) +
-         " mm/s), so that it melts less there; take a lower "
-         "cutting speed";
+         " mm/s (cutting speed " + shortText(cause.limit) + " mm/s), so that it melts less there";
 }
 
 std::string Sentences::operator()(const SkinOff& cause) const {

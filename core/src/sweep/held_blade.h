@@ -133,8 +133,9 @@ class Move {
   return 2 / kPi * std::sqrt(length * slack);
 }
 
-/// A blade that its grips hold straight but for 0.05 mm: there is no other shape, and none to be followed.
-[[nodiscard]] inline bool isTaut(const BladePose& pose) { return slackOf(pose) < 0.05; }
+/// A blade that its grips hold straight but for so many mm: there is no other shape, and none to be followed.
+inline constexpr double kTautSag = 0.05;
+[[nodiscard]] inline bool isTaut(const BladePose& pose) { return slackOf(pose) < kTautSag; }
 /// Of its blade over the stiffness, 1/mm, and by how much more another one is clearly higher.
 [[nodiscard]] inline double energyOf(const BladePose& pose) {
   return pose.heavy ? pose.heavy->energy() : pose.blade.energy();

@@ -26,7 +26,6 @@ constexpr int kInstants = 4;          // from one pose to the next, at which it 
 constexpr double kSamePlane = 1;      // mm: a lead of its own ends farther from where the blade bends
 constexpr double kLeastBend = 0.2;    // s from one shape to the next outside of the block
 constexpr double kOfTolerance = 0.6;  // that corners at stations are cut by, at most
-constexpr double kTaut = 0.05;        // mm that a straight blade may sag by its slack
 
 /// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
 Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
@@ -53,7 +52,7 @@ void pullStraight(Motion& motion) {
   const auto chord = [&](std::size_t i) -> Eigen::Vector3d {
     return instants[i].poses[1].position - instants[i].poses[0].position;
   };
-  const auto straight = [&](std::size_t i) { return largestSag(length, chord(i).norm()) < kTaut; };
+  const auto straight = [&](std::size_t i) { return largestSag(length, chord(i).norm()) < sweep::kTautSag; };
   std::vector<double> pulls(instants.size(), 0);
   for (std::size_t i = 0; i < instants.size(); ++i) {
     if (!straight(i)) continue;
@@ -154,9 +153,12 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
     const Eigen::Vector3d& n = pose.frame.normal;
     return {n.dot(frame.x), n.dot(frame.y), n.dot(frame.normal)};
   };
-  Motion motion{sweep.block,    sweep.request.blade.length, cuttingSpeed,
-                kMostCornerCut, ahead(sweep.poses.front()), ahead(sweep.poses.back())};
-  motion.cornersWithin = std::min(kMostCornerCut, kOfTolerance * request.motionTolerance);
+  Motion motion{sweep.block,
+                sweep.request.blade.length,
+                cuttingSpeed,
+                std::min(kMostCornerCut, kOfTolerance * request.motionTolerance),
+                ahead(sweep.poses.front()),
+                ahead(sweep.poses.back())};
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
