@@ -238,5 +238,47 @@ TEST(HeavySearch, EnergiesAndWhatIsClearlyHigherAreThoseOfMirrorImages) {
   }
 }
 
+/// A tube of 800 mm whose grips are turned up, and so near to its length apart that they would pull it far
+/// too taut if it had no weight. `scale`: of heights and slopes; with small ones energies go by its square.
+HeavyProblem tautTube(double scale, double slack) {
+  HeavyProblem problem;
+  ClampedProblem& grips = problem.grips;
+  grips.length = 800;
+  grips.end = {grips.length * (1 - scale * scale * slack), 0};
+  grips.startAngle = 2.78e-3 * scale;
+  grips.endAngle = -2.78e-3 * scale;
+  grips.turning = -5.56e-3 * scale;
+  problem.stiffness = 411700;
+  problem.weight = {0, -1.66e-4 * scale};
+  return problem;
+}
+
+TEST(HeavySearch, FindsTheOtherShapeOfBladesThatAreTooTautWithoutTheirWeight) {
+  constexpr double kSlack = 6.5e-7, kScale = 12;
+  const HeavyProblem slacker = tautTube(1, 3e-6), small = tautTube(1, kSlack),
+                     large = tautTube(kScale, kSlack);
+  EXPECT_FALSE(solveAllClamped(small.grips, {}));
+  const Result<HeavyAnswer> all = solveAllHeavy(large, {});
+  ASSERT_TRUE(all) << all.error().message;
+  std::vector<double> stable;
+  for (const HeavySolution& solution : all->solutions)
+    if (solution.stable) stable.push_back(large.stiffness * solution.blade.energy());
+  std::ranges::sort(stable);
+  ASSERT_EQ(stable.size(), 2u);
+  const Result<HeavyAnswer> begun = solveHeavy(slacker, {});
+  ASSERT_TRUE(begun) << begun.error().message;
+  Result<HeavyBranch> branch = HeavyBranch::from(slacker, begun->solutions.front());
+  ASSERT_TRUE(branch);
+  const auto moved = branch->moveTo(small);
+  ASSERT_TRUE(moved) << moved.error().message;
+  const Result<HeavyRivals> rivals = rivalsOf(branch->blade(), small.stiffness);
+  ASSERT_TRUE(rivals) << rivals.error().message;
+  EXPECT_NEAR(kScale * kScale * rivals->energy, stable[0], 1e-3 * stable[0]);
+  ASSERT_TRUE(rivals->next);
+  EXPECT_NEAR(kScale * kScale * rivals->nextEnergy, stable[1], 1e-3 * stable[1]);
+  ASSERT_TRUE(rivals->barrier);
+  EXPECT_GT(*rivals->barrier, rivals->nextEnergy - rivals->energy);
+}
+
 }  // namespace
 }  // namespace bw

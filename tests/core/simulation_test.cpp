@@ -463,7 +463,10 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   others.front().unsure = true;
   const Findings unknown = restFindings(others, run, motion, 0, {});
   ASSERT_EQ(unknown.size(), 1u);
-  EXPECT_EQ(std::get<OtherShape>(unknown[0].cause).lost, OtherShape::Lost::unknownBarrier);
+  EXPECT_EQ(std::get<OtherShape>(unknown[0].cause).lost, OtherShape::Lost::unsought) << "none is known";
+  others.front().distance = 3;
+  EXPECT_EQ(std::get<OtherShape>(restFindings(others, run, motion, 0, {})[0].cause).lost,
+            OtherShape::Lost::unknownBarrier);
   // So is a margin that falls short, unless that of a station beside is known to.
   const double asked = 0.3;
   const Findings loose = restFindings({}, run, motion, asked, {});

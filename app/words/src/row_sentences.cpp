@@ -462,7 +462,7 @@ static std::string lostText(const OtherShape& cause, const std::string& shorter)
 
 std::string Sentences::operator()(const OtherShape& cause) const {
   if (cause.lost == OtherShape::Lost::unsought)
-    return at() +
+    return onTheWay(finding, at()) +
            "it could not be found out whether the blade rests in another shape there too, so that nothing "
            "tells that it is in the one shown" +
            keptText(finding, "take a shorter blade");

@@ -426,6 +426,19 @@ HeavyProblem holdOf(const HeavyBlade& blade, double stiffness) {
   return problem;
 }
 
+/// True of a blade that lies along its chord: between its grips there is one other stable shape at most
+/// (docs/mathematics.md, heavy blades).
+static bool isShallow(const HeavyBlade& blade) {
+  constexpr double kSlopes = 0.2;  // rad from the chord
+  constexpr int kPlaces = 33;
+  const std::vector<HeavyBlade::State> states = blade.sample(kPlaces);
+  const Vector2d chord = states.back().point - states.front().point;
+  const double along = std::atan2(chord.y(), chord.x());
+  return std::ranges::all_of(states, [along](const HeavyBlade::State& state) {
+    return std::abs(std::remainder(state.angle - along, 2 * kPi)) < kSlopes;
+  });
+}
+
 Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work) {
   const WorkMeter meter(work);
   const HeavyBlade::Numbers& n = blade.numbers();
@@ -433,10 +446,12 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   const Result<Unit> unit = check(problem, {});
   if (!unit) return tl::unexpected<Error>(unit.error());
   const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, {});
-  if (!weightless) return tl::unexpected<Error>(weightless.error());
   HeavyRivals rivals{stiffness * blade.energy()};
-  if (weightless->kind == ClampedKind::straight) return rivals;
-  Search search(*unit, *weightless);
+  if (!weightless && !isShallow(blade)) return tl::unexpected<Error>(weightless.error());
+  if (weightless && weightless->kind == ClampedKind::straight) return rivals;
+  // Grips that are turned away from each other pull a weightless one too taut, which tells nothing then of
+  // the one that hangs: what lies across from that is found all the same.
+  Search search(*unit, weightless ? *weightless : ClampedAnswer());
   const std::size_t self = search.with(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
   if (meter.stopped())
     return fail(ErrorCode::noSolution, "What else the blade may rest in is not found within bounds.",

@@ -162,7 +162,9 @@ Findings restFindings(const std::vector<BarrierLook>& looks, const Simulation& s
     worst = &*unknown;
   }
   OtherShape cause{worst->energy, worst->other, worst->distance, worst->barrier};
-  cause.lost = low ? OtherShape::Lost::lowBarrier : OtherShape::Lost::unknownBarrier;
+  cause.lost = low                   ? OtherShape::Lost::lowBarrier
+               : worst->distance > 0 ? OtherShape::Lost::unknownBarrier
+                                     : OtherShape::Lost::unsought;
   const auto there = std::ranges::lower_bound(simulation.blades, worst->time, {}, &SimulatedBlade::time);
   findings.push_back(
       {Severity::error,

@@ -156,6 +156,88 @@ std::optional<Station> weighed(const Sweep& sweep, const Row& row, std::size_t i
   return row.holds(*station) ? station : std::nullopt;
 }
 
+/// True of a blade that its grips pull straight, against its weight.
+bool isPulled(const Station& station) {
+  const Eigen::Vector2d chord = station.grips.segment<2>(3) - station.grips.head<2>();
+  return !station.branch || station.branch->blade().numbers().endForce.dot(chord) > 0;
+}
+
+/// True of a blade that its weight would press flat: it lies over its chord, in the mean.
+bool standsUp(const Row& row, const Station& station) {
+  constexpr int kPlaces = 9;
+  constexpr double kFlat = 1e-6;  // of its length: straight
+  const std::optional<Elastica> blade = row.light(station);
+  if (!blade) return false;
+  const Eigen::Vector2d from = station.grips.head<2>(), way = station.grips.segment<2>(3) - from;
+  Eigen::Vector2d over = Eigen::Vector2d::Zero();
+  for (int k = 1; k <= kPlaces; ++k) {
+    const double share = double(k) / (kPlaces + 1);
+    over += (blade->at(share * blade->length()).point - from - share * way) / kPlaces;
+  }
+  const Eigen::Vector2d weight = weightIn(row.sweep(), station.pose->frame);
+  return weight.dot(over) < -kFlat * blade->length() * weight.norm();
+}
+
+/// True if a blade meets what is asked of it, keeps its margin and, but for a little, its clearance.
+std::array<bool, 3> soundness(const Row& row, const Station& station) {
+  constexpr double kLacking = 1;  // some mm of a grip's clearance
+  return {row.meets(station), row.isFirm(station),
+          station.own.segment<2>(kStationClearances).maxCoeff() < kLacking};
+}
+
+constexpr std::array kSound = {true, true, true};
+
+/// The taut blades of the stations from `first` to `last` as others, carried on from the one beside them that
+/// stands up, where that does not come down to them; empty where one of them stays taut, or lies beyond the
+/// tolerance.
+std::vector<Station> arched(const Row& row, const Stations& stations, std::size_t first, std::size_t last,
+                            bool forward) {
+  constexpr double kWithin = 0.95;  // of the tolerance: all together they may lie farther off
+  const auto beside = [&](std::size_t i) {
+    return i < stations.at.size() && stations.at[i] && row.holds(*stations.at[i]) ? &*stations.at[i]
+                                                                                  : nullptr;
+  };
+  const Station* from = beside(forward ? first - 1 : last + 1);  // first - 1 wraps around at the first
+  const Station* other = beside(forward ? last + 1 : first - 1);
+  if (!from || isPulled(*from) || !standsUp(row, *from)) return {};
+  if (row.leads(*from, *stations.at[forward ? first : last])) return {};
+  std::vector<Station> made;
+  made.reserve(last - first + 1);
+  while (made.size() <= last - first) {
+    std::optional<Station> next = carriedOn(row, forward ? first + made.size() : last - made.size(), *from);
+    if (!next || isPulled(*next) || next->distance() > kWithin * row.sweep().request.tolerance ||
+        soundness(row, *next) != kSound)
+      return {};
+    made.push_back(std::move(*next));
+    from = &made.back();
+  }
+  if (other && other->turnedFrom(*from) > kEasySwing) return {};
+  return made;
+}
+
+/// An arch that its weight would press flat does not come down to a straight blade: where both stand in one
+/// row the taut ones become arches, too, as far as such serve. Which have become so.
+std::vector<std::size_t> archAll(const Row& row, Stations& stations) {
+  const std::size_t n = stations.at.size();
+  const auto pulled = [&](std::size_t i) { return stations.at[i] && isPulled(*stations.at[i]); };
+  std::vector<std::size_t> arches;
+  for (std::size_t first = 0; first < n; ++first) {
+    if (!pulled(first)) continue;
+    std::size_t last = first;
+    while (last + 1 < n && pulled(last + 1)) ++last;
+    for (const bool forward : {true, false}) {
+      std::vector<Station> made = arched(row, stations, first, last, forward);
+      for (Station& station : made) {
+        arches.push_back(station.index);
+        stations.at[arches.back()] = std::move(station);
+      }
+      if (!made.empty()) break;
+    }
+    first = last;
+  }
+  return arches;
+}
+
 /// Chooses the grips of all stations together.
 void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   unwrap(stations.at, 0.25 * sweep.request.blade.length);
@@ -194,12 +276,7 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   bool changed =
       std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before;
   const double near = kNear * sweep.request.tolerance;
-  constexpr std::array kSound = {true, true, true};
-  const auto sound = [&row](const Station& station) {
-    constexpr double kLacking = 1;  // some mm of a grip's clearance
-    return std::array{row.meets(station), row.isFirm(station),
-                      station.own.segment<2>(kStationClearances).maxCoeff() < kLacking};
-  };
+  const auto sound = [&row](const Station& station) { return soundness(row, station); };
   const auto better = [&](const Station& one, const std::optional<Station>& other) {
     if (!other) return true;
     if (sound(one) != sound(*other)) return sound(one) > sound(*other);
@@ -232,6 +309,16 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   if (changed) settle();
   for (std::optional<Station>& station : stations.at)
     if (heavy && station && station->good) alone(*station);
+  if (!heavy) return;
+  Stations standing = stations;
+  const std::vector<std::size_t> arches = archAll(row, stations);
+  if (arches.empty()) return;
+  settle();
+  const auto serves = [&](std::size_t i) {
+    const Station& station = *stations.at[i];
+    return row.holds(station) && sound(station) == kSound && station.distance() <= sweep.request.tolerance;
+  };
+  if (!std::ranges::all_of(arches, serves)) stations = std::move(standing);
 }
 
 }  // namespace

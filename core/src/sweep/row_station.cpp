@@ -83,6 +83,20 @@ bool Row::isFirm(const Station& station) const {
   return station.own.tail<kStationMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
 }
 
+bool Row::leads(const Station& from, const Station& to) const {
+  constexpr double kSame = 0.1;  // mm between equal shapes
+  constexpr int kPlaces = 9;
+  if (!from.branch || !to.branch) return false;
+  HeavyBranch branch = *from.branch;
+  const Result<ClampedBranch::Move> move = branch.moveTo(held(to), kMostWork);
+  if (!move || move->snapped) return false;
+  const std::vector<HeavyBlade::State> come = branch.blade().sample(kPlaces),
+                                       is = to.branch->blade().sample(kPlaces);
+  return std::ranges::equal(come, is, [](const HeavyBlade::State& a, const HeavyBlade::State& b) {
+    return (a.point - b.point).norm() < kSame;
+  });
+}
+
 bool Row::isBounded(const Station& station, const Elastica& light) const {
   return light.maxCurvature() > kNearLimit * limit_ ||
          station.own.tail<kStationPasses + kStationMargins>().maxCoeff() > 0;
@@ -341,6 +355,13 @@ void Row::watch(Station& station) const {
 Station Row::carried(std::size_t i, const Station& from) const {
   Station station = from;
   take(station, i);
+  // Turned with the section.
+  const Vector2d was = from.section.back() - from.section.front(),
+                 is = station.section.back() - station.section.front();
+  const Eigen::Rotation2Dd turn(std::atan2(was.x() * is.y() - was.y() * is.x(), was.dot(is)));
+  auto numbers = Vector6::Map(station.numbers);
+  numbers(2) += turn.angle() * unit_;
+  numbers.tail<2>() = turn * Vector2d(numbers.tail<2>());
   const double foot = std::clamp(
       0.5 * (station.feet.front() + station.feet.back()) + from.aside - station.aside, 0.0, length_);
   const double length = station.sectionLength;

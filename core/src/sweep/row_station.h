@@ -128,6 +128,9 @@ class Row {
   bool meets(const Station& station) const;
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
+  /// True if the blade of a station that hangs comes to the shape of another one as its grips move evenly to
+  /// those.
+  bool leads(const Station& from, const Station& to) const;
   /// True if its smallest radius, its margin or its barrier keeps the blade from lying nearer to its section.
   bool isBounded(const Station& station, const Elastica& light) const;
   /// Looks at a station's numbers; without `slopes` the derivatives stay as they were, and of the margins
