@@ -300,6 +300,14 @@ int runExample(const Session& session, const ExampleOptions& options) {
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
+/// `handover` tells what holds where neither is given.
+void addHandover(CLI::App& verb, bool& handover) {
+  const std::string usual = handover ? "; written unless --no-handover is given" : "";
+  verb.add_flag(
+      "--handover,!--no-handover", handover,
+      "What is understood without this program: report.html, report.pdf, pictures, IGES, STL" + usual);
+}
+
 }  // namespace
 
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
@@ -311,9 +319,7 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--job", options->job, "Job file (JSON); every key is optional, - for standard input")
         ->type_name("JOB.json");
     verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
-    verb->add_flag(
-        "--handover", options->handover,
-        "Also what is understood without this program: report.html, report.pdf, pictures, IGES, STL");
+    addHandover(*verb, options->handover);
     addDespiteErrors(*verb, options->despiteErrors);
     verb->footer("Example:\n  blade rationalize panel.step --job job.json --out out/panel");
     onChosen(*verb, session, work, options, runRationalize);
@@ -329,9 +335,8 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--set", options->sets, "Give a variable of the design another value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    verb->add_flag(
-        "--handover", options->handover,
-        "Also what is understood without this program: report.html, report.pdf, pictures, IGES, STL");
+    options->handover = true;
+    addHandover(*verb, options->handover);
     verb->add_flag(
         "--watch", options->watch,
         "Write the results again whenever the design, or a CAD file or drawing that it links, is saved");

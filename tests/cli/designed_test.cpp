@@ -189,9 +189,9 @@ TEST(Designed, SlipsInWhatIsVariedAreNamed) {
 TEST(Designed, IsHandedOverWithItsReportAndPictures) {
   const Folder folder;
   const std::string design = exampleIn(folder, "three-block-wall");
-  for (const char* threads : {"1", "2"})
-    ASSERT_EQ(blade({"design", design, "--out", folder / threads, "--handover", "--threads", threads}).status,
-              0);
+  // As it is without a word, and on one thread.
+  ASSERT_EQ(shell("$BLADE design '" + design + "' --out '" + folder / "2" + "'").status, 0);
+  ASSERT_EQ(blade({"design", design, "--out", folder / "1", "--handover", "--threads", "1"}).status, 0);
   const std::string html = slurp(folder / "1/report.html"), pdf = slurp(folder / "1/report.pdf");
   EXPECT_NE(html.find("All stated limits hold."), std::string::npos);
   EXPECT_NE(html.find("Stations of column-3"), std::string::npos);

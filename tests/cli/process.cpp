@@ -27,6 +27,9 @@ Finished blade(const std::vector<std::string>& arguments, const std::string& inp
   if (::pipe(in) || ::pipe(out) || ::pipe(err)) return {};
   std::vector<std::string> words = {BW_BLADE};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  if (std::ranges::find(words, "design") == words.begin() + 1 &&
+      std::ranges::find(words, "--handover") == words.end())
+    words.push_back("--no-handover");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);

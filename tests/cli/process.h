@@ -16,7 +16,8 @@ struct Finished {
   std::string err;  ///< standard error
 };
 
-/// Runs `blade` with these arguments and this standard input. With `interruptWhen`, sends `signal` once that
+/// Runs `blade` with these arguments and this standard input; a design without what `--handover` adds, which
+/// takes as long as the rest, unless that is among them. With `interruptWhen`, sends `signal` once that
 /// text stands on standard error.
 Finished blade(const std::vector<std::string>& arguments, const std::string& input = {},
                const std::string& interruptWhen = {}, int signal = SIGINT);
