@@ -58,7 +58,7 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
   for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
 }
 
-TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
+TEST(DesignedSurface, TheFloorIsKeptByBlocksAroundSurfacesAndAskedOfOthers) {
   Design design = exampleDesign("bump").value();
   design.output.programs.clear();
   const Evaluation whole = evaluated(design);
@@ -87,7 +87,19 @@ TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   EXPECT_EQ(std::get<NearBottom>(again[0].cause).lower, NearBottom::Lower::noRoom);
   // One that is made around the surface is as low as that asks for.
   design.block().placement.reset();
-  for (const Finding& finding : evaluated(design).findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
+  for (const double floor : {20.0, 80.0}) {
+    design.process.floor = floor;
+    const Evaluation around = evaluated(design);
+    for (const Finding& finding : around.findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
+    double least = 1e300;
+    for (const StationCheck& station : around.cut().check.value->stations)
+      least = std::min(least, station.aboveBottom);
+    // Whole mm, with 5 mm for what hangs lower between the stations.
+    EXPECT_GE(least, floor + 5);
+    EXPECT_LT(least, floor + 6);
+    const Box &is = around.cut().block(), &was = around.cut().placed.value->block;
+    EXPECT_NEAR(is.size.z() - was.size.z(), was.frame.origin.z() - is.frame.origin.z(), 1e-9);
+  }
 }
 
 TEST(DesignedSurface, ALowerBlockIsAdvisedOnlyWhereItHelps) {

@@ -30,7 +30,7 @@ QString countText(int count, const char* one, const char* many) {
 void fillDone(StepStates& states, const pipeline::Evaluation& evaluation,
               const pipeline::CutEvaluation& cut) {
   if (cut.setup) {
-    const Eigen::Vector3d& size = cut.setup->block.size;
+    const Eigen::Vector3d& size = cut.block().size;
     states[int(Step::setup)] = {Kind::done, 0,
                                 QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};

@@ -180,9 +180,8 @@ scene::Content sceneContent(const Evaluation& evaluation) {
   }
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
     const BlockEvaluation& block = evaluation.blocks[std::size_t(b)];
-    const geometry::Setup* setup = block.cuts.front().setup.get();
-    if (setup)
-      content.add({b}, setup->block);
+    if (const CutEvaluation& first = block.cuts.front(); first.setup)
+      content.add({b}, first.block());
     else if (evaluation.design.stock.size() > std::size_t(b) &&
              evaluation.design.stock[std::size_t(b)].placement)
       content.add({b}, evaluation.design.stock[std::size_t(b)]

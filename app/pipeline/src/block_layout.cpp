@@ -29,7 +29,7 @@ bool onTwoSides(const Design& design, const CutEvaluation& a, const CutEvaluatio
   };
   const Cut &one = cut(a), &other = cut(b);
   return one.offset != 0 && other.offset != 0 &&
-         keptWay(a.setup->block, one.keep).dot(keptWay(b.setup->block, other.keep)) < 0;
+         keptWay(a.block(), one.keep).dot(keptWay(b.block(), other.keep)) < 0;
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ Cut cutToMake(const Design& design, const std::string& id) {
 }
 
 Box placedBlock(const Design& design, const CutEvaluation& cut) {
-  return placedAs(cut.setup->block, std::ranges::find(design.cuts, cut.id, &Cut::id)->pose);
+  return placedAs(cut.block(), std::ranges::find(design.cuts, cut.id, &Cut::id)->pose);
 }
 
 std::vector<Neighbours> neighboursOf(const Evaluation& e) {
@@ -86,7 +86,7 @@ std::vector<Neighbours> neighboursOf(const Evaluation& e) {
   for (const BlockEvaluation& block : e.blocks)
     for (const CutEvaluation& cut : block.cuts) {
       cuts.push_back(&cut);
-      boxes.push_back(cut.setup->block);
+      boxes.push_back(cut.block());
     }
   const auto mayMeet = [&](std::size_t i, std::size_t j) {
     return !onTwoSides(e.design, *cuts[i], *cuts[j]);

@@ -140,7 +140,7 @@ std::vector<CurveLayer> curvesOf(const Evaluation& e) {
   if (e.joints.value)
     for (const Joint& joint : e.joints.value->joints) {
       const CutEvaluation &first = *strips[joint.first].cut, &second = *strips[joint.second].cut;
-      const auto boundary = boundaryOf(first.setup->block, second.setup->block, jointRequest(e.design).apart);
+      const auto boundary = boundaryOf(first.block(), second.block(), jointRequest(e.design).apart);
       if (!boundary) continue;
       Side* own = sideAlong(sides[joint.first], *boundary);
       Side* other = sideAlong(sides[joint.second], *boundary);

@@ -11,6 +11,7 @@
 #include "bw/core/simulation/run_kerf.h"
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/firm_row.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/lower_block.h"
 #include "cut_stages.h"
@@ -30,6 +31,11 @@ Result<void> ask(const CutWork& work, double& seconds, FirmRow& firm) {
                        Result<FirmRow> found = firmRow(*e.sweep.value, work.context);
                        if (!found) return tl::unexpected<Error>(found.error());
                        firm = std::move(*found);
+                       if (const std::optional<double>& room = e.sweep.request.room; firm.row && room) {
+                         Sweep standing = *firm.row;
+                         standing.block = standingBelow(e.setup->block, standing.poses, *room);
+                         firm.row = std::make_shared<const Sweep>(std::move(standing));
+                       }
                        return firm.certainty;
                      });
 }

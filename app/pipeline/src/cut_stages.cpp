@@ -4,12 +4,15 @@
 #include "cut_stages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/parts/cut_order.h"
 #include "bw/core/shape/moved_sections.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/core/text/number_text.h"
 #include "cut_trials.h"
 
@@ -116,7 +119,8 @@ bool followedBefore(const CutWork& work, const Kerf& kerf, const Inputs& inputs)
   if (!before || !before->middle.value || !before->sweep.value || !before->check.value) return false;
   if (before->middle.request != kerf || before->middle.inputs != inputs) return false;
   if (before->check.request.cuttingSpeed != work.design.process.cuttingSpeed) return false;
-  RowRequest row{*work.e.setup, fitRequest(work.design, work.cut, work.e.setup->block, work.joined)};
+  RowRequest row{*work.e.setup, fitRequest(work.design, work.cut, work.e.setup->block, work.joined),
+                 roomBelow(work.design, work.cut)};
   if (work.blade().autoLength && work.length) {
     row.fit.blade.length = *work.length;
   } else if (work.blade().autoLength) {
@@ -174,11 +178,33 @@ Result<SectionRequest> sectionRequest(const CutWork& work) {
 
 namespace {
 
+/// True if a grip is nearer than the clearance to what a block goes on below.
+bool comesNear(const Sweep& row, const Box& before) {
+  return std::ranges::any_of(row.poses, [&](const BladePose& pose) {
+    return std::ranges::any_of(std::array{pose.leftPoint(), pose.rightPoint()}, [&](const auto& grip) {
+      return boxDistance(row.block, grip) < std::min(row.request.clearance, boxDistance(before, grip));
+    });
+  });
+}
+
+/// A row whose block is made around its surface goes on as far below as its blades ask for; where grips would
+/// pass it too near these are chosen anew beside that block.
 Result<Sweep> rowFor(const CutWork& work, const std::vector<Section>& sections, const RowRequest& request,
                      Findings& findings) {
   work.context.report(0.6, "fitting");
-  return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
-                    work.context.child(0.6, 0.75), findings, &work.seconds.fit, &work.seconds.extend);
+  constexpr int kRounds = 2;
+  const Findings known = findings;
+  Box block = request.setup.block;
+  for (int round = 1;; ++round) {
+    findings = known;
+    Result<Sweep> row =
+        buildSweep(sections, request.fit, block, request.setup.planes, work.context.child(0.6, 0.75),
+                   findings, &work.seconds.fit, &work.seconds.extend);
+    if (!row || !request.room) return row;
+    row->block = standingBelow(request.setup.block, row->poses, *request.room);
+    if (round == kRounds || !comesNear(*row, block)) return row;
+    block = row->block;
+  }
 }
 
 constexpr double kFollowed = 0.003;  // mm of width: nothing of the cut shows it
@@ -304,7 +330,7 @@ Result<void> fit(const CutWork& work) {
     work.keep(&CutEvaluation::lengths, lengthsRequest(work), {row});
   }
   double none = 0;
-  const RowRequest blades{*e.setup, fit};
+  const RowRequest blades{*e.setup, fit, roomBelow(work.design, work.cut)};
   ok = work.settle(
       &CutEvaluation::sweep, blades, {row}, none,
       [&](const RowRequest& request, Findings& findings) { return rowFor(work, *row, request, findings); });

@@ -27,7 +27,7 @@ struct Setting {
 constexpr Setting kSettings[] = {
     {"panel-600x670", "steel-tube-3-2.5", 710},
     {"graph", "steel-tube-3-2.5", 745},
-    {"torus-patch", "nicr-flat-5x1", 800},
+    {"torus-patch", "nicr-flat-5x1", 820},
     {"wavy-wall", "steel-tube-3-2.5", 900},
     {"ramp-corner-hollow", "steel-tube-3-2.5", 1700},
     {"ramp-corner-domed", "steel-tube-3-2.5", 1700},

@@ -255,7 +255,7 @@ class TurnedRows {
       row.curves.push_back(
           {place.head<2>(), std::atan2(along.y(), along.x()), curve->transformed(0, 1, {0, place.z()})});
     }
-    const Box& block = cut_.setup->block;
+    const Box& block = cut_.block();
     row.block = {
         {placeOf(block.frame.origin), own_ * block.frame.x, own_ * block.frame.y, own_ * block.frame.normal},
         block.size};
@@ -353,7 +353,7 @@ Result<Design> withSurface(const Evaluation& evaluation, const std::string& id, 
   if (made->setup && !cut->direction && !turns) cut->direction = made->setup->planes.direction();
   for (StockBlock& block : design.stock)
     if (block.id == cut->block && !block.placement && made->setup && cut->pose == CutPose{})
-      block.placement = placementOf(made->setup->block);
+      block.placement = placementOf(made->block());
   // Expressions of numbers that are no longer there.
   const std::string gone = "/sources/" + std::to_string(&design.sourceOf(*cut) - design.sources.data()) + "/";
   std::erase_if(design.bindings, [&](const auto& bound) { return bound.first.starts_with(gone); });

@@ -9,6 +9,7 @@
 #include "bw/core/curve/same_curve.h"
 #include "bw/core/shape/iso_sections.h"
 #include "bw/core/surface/spline_change.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "cut_stages.h"
 
 namespace bw::pipeline {
@@ -48,7 +49,7 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
   if (planes.sections.byTolerance()) planes.sections.stations = began_.sections.request.sections.stations;
   const FitRequest& before = began_.sweep.value->request;
   Asked asked{fitRequest(order.design, order.cut, setup->block, before.fitEndpoints && before.fitTangents),
-              checkRequest(order.design, order.cut), kerfOf(order.design, order.cut, setup->block)};
+              trialCheckRequest(order.design, order.cut), kerfOf(order.design, order.cut, setup->block)};
   planes.beyond = reachBeyond(asked.fit, bladeOf(order.design, order.cut), setup->block);
 
   // The first time the curves of the spline take the place of the traced ones, before anything is held
@@ -87,7 +88,11 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
 }
 
 bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
-  const Box& block = planes_.setup.block;
+  const std::optional<double> room = roomBelow(order.design, order.cut);
+  const auto standing = [&](const Sweep& row) {
+    return room ? standingBelow(planes_.setup.block, row.poses, *room) : planes_.setup.block;
+  };
+  const Box block = standing(sweep_ ? *sweep_ : *began_.sweep.value);
   const PlaneFamily& planes = planes_.setup.planes;
   Findings unsaid;
   // What the middle of the blade is to sweep.
@@ -127,7 +132,13 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   if (!look) return false;
   look->cut = melted_ ? standingBeside(std::move(look->cut), kerf, *melted_)
                       : standingBeside(std::move(look->cut), kerf);
-  setup_ = std::make_shared<const geometry::Setup>(planes_.setup);
+  geometry::Setup placed = planes_.setup;
+  if (room) {
+    Sweep row = *sweep_;
+    placed.block = row.block = standing(row);
+    sweep_ = std::make_shared<const Sweep>(std::move(row));
+  }
+  setup_ = std::make_shared<const geometry::Setup>(std::move(placed));
   look_ = std::make_shared<const RowSketch>(std::move(*look));
   return true;
 }

@@ -52,7 +52,7 @@ std::optional<double> middleHeight(const CutEvaluation& cut) {
   for (const Section& section : *cut.sections.value) {
     if (section.chosen < 0) continue;
     for (const Eigen::Vector2d& p : section.curve().sample(33)) {
-      const double z = cut.setup->block.frame.toLocal(section.frame.toWorld(p)).z();
+      const double z = cut.block().frame.toLocal(section.frame.toWorld(p)).z();
       low = std::min(low, z);
       high = std::max(high, z);
     }
@@ -74,7 +74,7 @@ Result<Design> withUpperMoulds(const Evaluation& evaluation, double thickness) {
     const CutEvaluation* made = evaluation.find(cut.id);
     const std::optional<double> middle = made ? middleHeight(*made) : std::nullopt;
     if (!middle) continue;  // the surface does not come there
-    const Box& lower = made->setup->block;
+    const Box& lower = made->block();
     block.placement = placementOf(lower);
     // Planes that turn are those of the surface for both.
     if (!made->setup->planes.turns()) cut.direction = made->setup->planes.direction();

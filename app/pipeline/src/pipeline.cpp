@@ -365,7 +365,7 @@ Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
   std::vector<CutWork> left;
   for (const CutWork& work : works) {
     if (isUncut(work.cut.block))
-      e.uncutArea += areaInBox(*work.e.targetMesh.value, work.e.setup->block).area;
+      e.uncutArea += areaInBox(*work.e.targetMesh.value, work.e.block()).area;
     else
       left.push_back(work);
   }

@@ -116,7 +116,7 @@ struct Way {
 class AroundJudge {
  public:
   AroundJudge(ProgramRun& run, const ProgramLook& look, const ProgramPlan& plan)
-      : run_(run), look_(look), plan_(plan), names_(plan), block_(look.cut.setup->block) {}
+      : run_(run), look_(look), plan_(plan), names_(plan), block_(look.cut.block()) {}
 
   Result<void> judge(const RunContext& context) {
     const std::vector<SimulatedBlade>& blades = run_.simulation.blades;

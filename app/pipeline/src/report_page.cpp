@@ -193,7 +193,7 @@ void parameters(Page& page, const Evaluation& e) {
       if (const double offset = std::ranges::find(design.cuts, each.id, &Cut::id)->offset; offset > 0)
         page.row({which + "Stands back from the surface by", mm(offset)});
       page.row({which + "Cutting direction", direction(each.setup->planes.direction())});
-      if (const std::string turns = turningText(each.setup->planes, each.setup->block); !turns.empty())
+      if (const std::string turns = turningText(each.setup->planes, each.block()); !turns.empty())
         page.row({which + "The plane of the blade turns as it travels", turns});
     }
     if (part.part.value && part.part.value->solid) {

@@ -18,14 +18,28 @@ namespace {
 /// followed.
 constexpr double kLongestOpen = 2;
 
-/// Asked of blocks that are given.
-std::optional<double> floorOf(const Design& design, const Cut& cut) {
+/// mm beyond the floor that a block is made to go on below its stations: what lies between them may come
+/// lower.
+constexpr double kReserve = 5;
+
+bool isGiven(const Design& design, const Cut& cut) {
   const auto block = std::ranges::find(design.stock, cut.block, &StockBlock::id);
-  if (block == design.stock.end() || !block->placement) return {};
+  return block != design.stock.end() && block->placement;
+}
+
+/// Of a block that is made around several surfaces no face is known that it lies on.
+std::optional<double> floorOf(const Design& design, const Cut& cut) {
+  if (!isGiven(design, cut) && !roomBelow(design, cut)) return {};
   return design.process.floor;
 }
 
 }  // namespace
+
+std::optional<double> roomBelow(const Design& design, const Cut& cut) {
+  const auto beside = [&cut](const Cut& other) { return other.block == cut.block && other.id != cut.id; };
+  if (isGiven(design, cut) || std::ranges::any_of(design.cuts, beside)) return {};
+  return design.process.floor + kReserve;
+}
 
 Blade bladeOf(const Design& design, const Cut& cut) {
   Blade blade = design.blade;
@@ -66,6 +80,12 @@ CheckRequest checkRequest(const Design& design, const Cut& cut) {
   return request;
 }
 
+CheckRequest trialCheckRequest(const Design& design, const Cut& cut) {
+  CheckRequest request = checkRequest(design, cut);
+  if (!isGiven(design, cut)) request.floor.reset();
+  return request;
+}
+
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
   const Process& p = design.process;
   Kerf kerf;
@@ -81,8 +101,9 @@ Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
 }
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
-  LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design, cut),
+  LengthRequest request{fitRequest(design, cut, lies, joined), trialCheckRequest(design, cut),
                         entryExitRequest(design, cut), followRequest(design)};
+  request.ends.floor = request.check.floor;
   request.fit.blade.length = Blade().length;
   return request;
 }
@@ -104,7 +125,9 @@ FollowRequest followRequest(const Design& design) {
 }
 
 EntryExitRequest entryExitRequest(const Design& design, const Cut& cut) {
-  return {design.process.margin, design.process.lead, floorOf(design, cut)};
+  // Between its poses such a way comes lower, too.
+  const std::optional<double> room = roomBelow(design, cut);
+  return {design.process.margin, design.process.lead, room ? room : floorOf(design, cut)};
 }
 
 MotionRequest motionRequest(const Design& design, const Cut& cut) {

@@ -152,7 +152,7 @@ void judgeFloor(const Simulation& simulation, const CutEvaluation& cut, double m
   const SurfaceGrid swept = simulation.swept(kPlaces);
   for (std::size_t r = 0; r < simulation.blades.size(); ++r) {
     const std::span points(&swept.points[r * kPlaces], std::size_t(kPlaces));
-    const double height = lowestPlace(cut.setup->block, points).height;
+    const double height = lowestPlace(cut.block(), points).height;
     if (height >= least) continue;
     least = height;
     time = simulation.blades[r].time;
@@ -170,7 +170,7 @@ void judgeGrips(const Simulation& simulation, const CutEvaluation& cut, double m
   if (simulation.blades.empty()) return;
   constexpr int kPlaces = 101;
   const SurfaceGrid swept = simulation.swept(kPlaces);
-  const Box& block = cut.setup->block;
+  const Box& block = cut.block();
   const double clearance = cut.sweep.value->request.clearance;
   double least = std::numeric_limits<double>::infinity(), time = 0;
   for (std::size_t r = 0; r < simulation.blades.size(); ++r) {
@@ -285,7 +285,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
                   "blade", run.motion.bladeLength, blade.length);
     run.motion.bladeLength = blade.length;
     // What robots run tells no block.
-    if (run.motion.block.size.isZero()) run.motion.block = cut->setup->block;
+    if (run.motion.block.size.isZero()) run.motion.block = cut->block();
   } else if (!(run.motion.bladeLength > 0)) {
     return fail(ErrorCode::badInput, "the program does not tell how long its blade is; give its design",
                 "blade");

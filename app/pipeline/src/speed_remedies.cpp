@@ -65,7 +65,7 @@ std::optional<BlockGrid> gridAround(const Evaluation& e, const CutEvaluation& cu
   const auto block = std::ranges::find(design.stock, own.block, &StockBlock::id);
   if (block->placement) return gridOf(design, *block->placement);
   if (design.stock.size() > 1) return {};
-  return gridOf(design, placementOf(placedAs(cut.setup->block, own.pose)));
+  return gridOf(design, placementOf(placedAs(cut.block(), own.pose)));
 }
 
 /// What the parts of a split come to; empty where it does not help.

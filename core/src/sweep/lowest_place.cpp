@@ -3,6 +3,8 @@
 
 #include "bw/core/sweep/lowest_place.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace bw {
@@ -28,6 +30,15 @@ LowestPlace lowestPlace(const Box& block, std::span<const Eigen::Vector3d> point
 
 LowestPlace lowestPlace(const Box& block, const BladePose& pose) {
   return lowestPlace(block, pose.bladePoints(kLowestPlaces));
+}
+
+Box standingBelow(Box block, std::span<const BladePose> poses, double room) {
+  double least = room;
+  for (const BladePose& pose : poses) least = std::min(least, lowestPlace(block, pose).height);
+  const double by = std::ceil(room - least);
+  block.frame.origin -= by * block.frame.normal;
+  block.size.z() += by;
+  return block;
 }
 
 }  // namespace bw

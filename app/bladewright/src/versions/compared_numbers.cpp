@@ -22,7 +22,7 @@ std::optional<double> foamOf(const pipeline::Evaluation& evaluation) {
   double volume = 0;
   for (const pipeline::BlockEvaluation& block : evaluation.blocks) {
     if (!block.cuts.front().setup) return std::nullopt;
-    volume += block.cuts.front().setup->block.size.prod();
+    volume += block.cuts.front().block().size.prod();
   }
   return volume * 1e-9;
 }

@@ -292,7 +292,7 @@ void MainWindow::fitSelection() {
   } else if (selection.kind == Selection::Kind::surface && cut->target.value) {
     bounds = cut->target.value->bounds();
   } else if (selection.kind == Selection::Kind::block && cut->setup) {
-    for (const Eigen::Vector3d& corner : cut->setup->block.corners()) bounds.add(corner);
+    for (const Eigen::Vector3d& corner : cut->block().corners()) bounds.add(corner);
   }
   if (bounds.valid())
     view_->fitBounds(bounds);

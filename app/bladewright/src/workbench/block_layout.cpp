@@ -12,7 +12,7 @@ std::optional<BlockPlacement> placementOf(const Workbench& bench) {
   if (const auto& placed = bench.block().placement) return placed;
   const pipeline::CutEvaluation* cut = bench.shownCut();
   if (!cut || !cut->setup) return std::nullopt;
-  return bw::placementOf(placedAs(cut->setup->block, bench.cut().pose));
+  return bw::placementOf(placedAs(cut->block(), bench.cut().pose));
 }
 
 std::optional<BlockGrid> gridOf(const Workbench& bench) {

@@ -152,7 +152,7 @@ void Workbench::showPlace(const Message& message) {
       spot.point = box.frame.toWorld(0.5 * box.size.head<2>(), 0.5 * box.size.z());
     }
   } else if (cut && cut->setup) {
-    add(cut->setup->block);
+    add(cut->block());
   }
   if (!station && cut && cut->target.value) {
     spot.bounds.add(cut->target.value->bounds().min);

@@ -161,6 +161,9 @@ struct CutEvaluation {
   Stage<WayRequest, SimulatedSurface> simulated;  ///< what that cuts; likewise
   Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
+  /// The block, once `setup` is there, as it lies for this cut: as it was placed; made around the surface,
+  /// and with the blades known, as far below these as the floor asks for.
+  const Box& block() const { return sweep.value ? sweep.value->block : setup->block; }
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   /// What its program cuts, which is that of `blade simulate`; null until it is known, and where no blade
   /// runs through to the end.

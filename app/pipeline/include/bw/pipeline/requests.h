@@ -68,6 +68,7 @@ struct PlanesRequest {
 struct RowRequest {
   geometry::Setup setup;
   FitRequest fit;
+  std::optional<double> room = {};  ///< mm that the block is to go on below the lowest of them
   bool operator==(const RowRequest&) const = default;
 };
 
@@ -89,7 +90,13 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
 double reachBeyond(const FitRequest& fit, const Blade& blade, const Box& lies);
 /// The planes of key blades that are turned, where the surface of the cut is told by such.
 std::optional<TurningPlanes> turningOf(const Design& design, const Cut& cut);
+/// mm that a block which is made around the surface of its one cut goes on below the lowest blade; none of
+/// other blocks.
+std::optional<double> roomBelow(const Design& design, const Cut& cut);
 CheckRequest checkRequest(const Design& design, const Cut& cut);
+/// The same while the block is not known to reach below the blades: no floor is asked of it, unless it is
+/// given.
+CheckRequest trialCheckRequest(const Design& design, const Cut& cut);
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies);
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 JointRequest jointRequest(const Design& design);

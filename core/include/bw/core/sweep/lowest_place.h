@@ -28,6 +28,10 @@ inline constexpr int kLowestPlaces = 41;
 /// Of the blade in a pose, from grip to grip.
 [[nodiscard]] LowestPlace lowestPlace(const Box& block, const BladePose& pose);
 
+/// The block, where the lowest of these blades comes nearer to the face that it lies on than `room`, in mm,
+/// going on below by so many whole mm that none does.
+[[nodiscard]] Box standingBelow(Box block, std::span<const BladePose> poses, double room);
+
 /// mm below the floor that are not told: heights on the way are known no better.
 inline constexpr double kFloorRounded = 0.05;
 
