@@ -165,36 +165,45 @@ CutEvaluation weakRow() {
   return outcome.error ? CutEvaluation() : outcome.evaluation.cut();
 }
 
+Result<Sweep> flatRow(const CutEvaluation& cut) {
+  Findings findings;
+  return buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {},
+                    findings);
+}
+
 /// The row of that panel, whose barriers are not bounded yet. Budget: 60 ms together with what bounds them,
-/// which is `panelFirmRow` less twice `panelCertainty`.
+/// which is `panelFirmRow` less `panelCertainty` of both rows.
 void panelFlatRow(benchmark::State& state) {
   const CutEvaluation cut = weakRow();
   if (!cut.sweep.value) return state.SkipWithError("there is no row");
-  for (auto _ : state) {
-    Findings findings;
-    if (!buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {},
-                    findings))
-      return state.SkipWithError("there is no row");
-  }
+  for (auto _ : state)
+    if (!flatRow(cut)) return state.SkipWithError("there is no row");
 }
 BENCHMARK(panelFlatRow)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
-/// How sure the blades of that row rest.
+/// How sure the blades rest, of that row and of the one whose barriers are bounded.
 void panelCertainty(benchmark::State& state) {
   const CutEvaluation cut = weakRow();
   if (!cut.sweep.value) return state.SkipWithError("there is no row");
+  const Result<Sweep> flat = flatRow(cut);
+  if (!flat) return state.SkipWithError(flat.error().message.c_str());
+  const Sweep& row = state.range(0) ? *cut.sweep.value : *flat;
   for (auto _ : state)
-    if (!certaintyOf(*cut.sweep.value, {})) return state.SkipWithError("it is not known how the blades rest");
+    if (!certaintyOf(row, {})) return state.SkipWithError("it is not known how the blades rest");
 }
-BENCHMARK(panelCertainty)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(panelCertainty)
+    ->ArgName("bounded")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 /// How sure the blades rest, and the row that bears a push.
 void panelFirmRow(benchmark::State& state) {
   const CutEvaluation cut = weakRow();
   if (!cut.sweep.value) return state.SkipWithError("there is no row");
-  Findings findings;
-  const Result<Sweep> row = buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block,
-                                       cut.setup->planes, {}, findings);
+  const Result<Sweep> row = flatRow(cut);
   if (!row) return state.SkipWithError(row.error().message.c_str());
   for (auto _ : state)
     if (const Result<FirmRow> firm = firmRow(*row, {}); !firm || !firm->row)
