@@ -105,6 +105,7 @@ TEST_F(HandleEdits, AMenuAtTheHandleAddsAndRemovesWhatIsOfIt) {
   const Design before = bench().design();
   const std::size_t points = sections()[0].points.size();
   ASSERT_FALSE(command("handles.addPoint")->isEnabled()) << "nothing is chosen";
+  EXPECT_TRUE(command("handles.addPoint")->toolTip().endsWith("Not now: no handle is chosen."));
   // The menu stands at the right click, without a turn of the view.
   const Eigen::Vector3d eye = view().camera().position;
   QTest::mouseClick(&view(), Qt::RightButton, {}, at(1));
@@ -114,6 +115,7 @@ TEST_F(HandleEdits, AMenuAtTheHandleAddsAndRemovesWhatIsOfIt) {
   EXPECT_EQ(handles().chosen, (std::vector<int>{1}));
   menu->grab().save(QString::fromStdString(BW_TEST_OUTPUT "/window/handle-menu.png"));
   EXPECT_TRUE(menu->actions().contains(command("handles.addPoint")));
+  EXPECT_TRUE(command("handles.addPoint")->toolTip().endsWith("(Ins)"));
   QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(command("handles.addPoint")).center());
   ASSERT_GT(sections()[0].points.size(), points);
   ASSERT_EQ(handles().chosen.size(), 1u) << "the new one is chosen";

@@ -196,7 +196,7 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
 
 TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
   openPanel();
-  const Box before = bench().shown()->cut().setup->block;
+  const Box before = bench().shown()->cut().block();
   bench().editDesign("Move block", [&](Design& design) {
     BlockPlacement block;
     block.origin = {3000, 100, 50};

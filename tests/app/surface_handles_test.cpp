@@ -45,6 +45,14 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   const auto* cut = view().content().first<scene::CutSurface>();
   ASSERT_TRUE(cut && bench().sketchedCut());
   EXPECT_EQ(cut->grid.points, bench().sketchedCut()->look->cut.points);
+  // The numbers, too: those of the result that is gone would be pale.
+  const auto number = [&](const QString& name) {
+    for (const ValueLabel* label : window().inspector().findChildren<ValueLabel*>())
+      if (label->accessibleName() == name && label->isVisible()) return label->text();
+    return QString();
+  };
+  EXPECT_EQ(number("Largest"), lengthText(bench().sketchedCut()->look->deviationMax));
+  EXPECT_EQ(number("Smallest radius"), radiusText(bench().sketchedCut()->look->minRadius));
   // The hand rests: all of it is there, and how far it may go on.
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
@@ -93,6 +101,39 @@ TEST_F(SurfaceHandlesTest, TheSectionIsThatOfTheHandle) {
   bench().selectStation(2);
   QTest::mouseClick(&view(), Qt::LeftButton, {}, hover(kPole + 4));
   EXPECT_EQ(bench().selection().station, beside(kPole + 4));
+}
+
+TEST_F(SurfaceHandlesTest, TheSectionIsThatOfTheBlockBesideTheHandle) {
+  open("three-block-wall");
+  ASSERT_EQ(bench().shown()->blocks.size(), 3u);
+  const std::string first = bench().selection().cut;
+  // Of the points of a section, which lie on the boundaries.
+  const auto places = handles().points;
+  const auto [left, right] =
+      std::ranges::minmax_element(places, {}, [](const Eigen::Vector3d& p) { return p.x(); });
+  const auto expectCut = [&](int handle, std::size_t block) {
+    const pipeline::BlockEvaluation& beside = bench().shown()->blocks[block];
+    QTest::mousePress(&view(), Qt::LeftButton, {}, hover(handle));
+    EXPECT_EQ(bench().selection().cut, beside.cuts[0].id);
+    EXPECT_EQ(bench().selection().block, beside.id);
+    const QPoint from = at(handle);
+    for (int i = 1; i <= 3; ++i) QTest::mouseMove(&view(), from - QPoint(0, 3 * i));
+    ASSERT_TRUE(followed());
+    EXPECT_TRUE(bench().sketchedCut());
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, from);
+    ASSERT_TRUE(settle());
+  };
+  expectCut(int(right - places.begin()), 2);
+  expectCut(int(left - places.begin()), 0);
+  EXPECT_EQ(bench().selection().cut, first);
+  // Between two that of the one selected stays.
+  const Box& lies = bench().shown()->blocks[0].cuts[0].block();
+  const auto between = std::ranges::find_if(places, [&](const Eigen::Vector3d& p) {
+    return std::abs(lies.frame.toLocal(p).x() - lies.size.x()) < 1e-6;
+  });
+  ASSERT_NE(between, places.end());
+  expectCut(int(between - places.begin()), 0);
 }
 
 TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {

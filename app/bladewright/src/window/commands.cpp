@@ -81,6 +81,7 @@ class PaletteLine : public QStyledItemDelegate {
 };
 
 constexpr QSize kSize(720, 560);
+constexpr char kTip[] = "tip";  // property of a command: what it does, and its key
 
 }  // namespace
 
@@ -108,6 +109,7 @@ QAction* Commands::add(const CommandInfo& info, std::function<void(bool)> run) {
   if (!info.shortcuts.isEmpty())
     tip += QStringLiteral(" (%1)").arg(info.shortcuts.first().toString(QKeySequence::NativeText));
   action->setToolTip(tip);
+  action->setProperty(kTip, tip);
   action->setStatusTip(QString());
   connect(action, &QAction::triggered, this, [this, run = std::move(run)](bool checked) {
     finishTyping(*window_);  // a command works on what is meant
@@ -123,6 +125,13 @@ QAction* Commands::operator[](const QString& id) const {
     if (action->objectName() == id) return action;
   BW_CHECK(!"an unknown command was asked for");
   return nullptr;
+}
+
+void Commands::allow(const QString& id, const QString& why) const {
+  QAction* action = (*this)[id];
+  const QString tip = action->property(kTip).toString();
+  action->setEnabled(why.isEmpty());
+  action->setToolTip(why.isEmpty() ? tip : tip + "\n" + why);
 }
 
 bool Commands::pressKey(const QKeyEvent* event) {

@@ -43,6 +43,8 @@ class Commands : public QObject {
   QAction* add(const CommandInfo& info, std::function<void(bool)> run);
   /// The command of that id; it must exist.
   QAction* operator[](const QString& id) const;
+  /// Allows a command, or tells why not below what it does: `why` is empty where it is allowed.
+  void allow(const QString& id, const QString& why) const;
   /// Runs the command of a key without modifiers that no widget wanted for itself: letters and Space belong
   /// to a focused field or button first. False if there is none.
   bool pressKey(const QKeyEvent* event);

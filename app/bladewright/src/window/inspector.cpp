@@ -16,6 +16,7 @@
 namespace bw::app {
 
 using pipeline::CutResult;
+using pipeline::CutSketch;
 using pipeline::StationView;
 
 namespace {
@@ -79,6 +80,8 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
             model::kAspectsOfCut | Aspect::thoughts | Aspect::part | Aspect::design | Aspect::selection,
             bench_.selection()))
       refresh();
+    else if (change.any(Aspect::sketch, bench_.selection()))
+      refreshNumbers(!bench_.sketch());
   });
   refresh();
 }
@@ -96,6 +99,33 @@ FormColumn* Inspector::addPage() {
 void Inspector::addValue(FormColumn* column, const QString& name, const QString& tip,
                          std::function<QString()> text, std::function<bool()> broken) {
   values_.push_back({column->addValue(name, tip), std::move(text), std::move(broken)});
+}
+
+void Inspector::follow(std::function<QString(const pipeline::CutSketch&)> text,
+                       std::function<bool(const pipeline::CutSketch&)> broken) {
+  values_.back().followed = std::move(text);
+  values_.back().followedBroken = std::move(broken);
+}
+
+void Inspector::followStation(std::function<QString(const pipeline::CutSketch&, std::size_t)> text,
+                              std::function<bool(const pipeline::CutSketch&, std::size_t)> broken) {
+  const auto place = [this](const pipeline::CutSketch& sketch) -> std::optional<std::size_t> {
+    const int index = bench_.selection().station;
+    if (index < 0 || std::size_t(index) >= sketch.sweep->poses.size()) return std::nullopt;
+    return std::size_t(index);
+  };
+  std::function<bool(const pipeline::CutSketch&)> breaks;
+  if (broken)
+    breaks = [place, broken = std::move(broken)](const pipeline::CutSketch& sketch) {
+      const std::optional<std::size_t> at = place(sketch);
+      return at && broken(sketch, *at);
+    };
+  follow(
+      [place, text = std::move(text)](const pipeline::CutSketch& sketch) {
+        const std::optional<std::size_t> at = place(sketch);
+        return at ? text(sketch, *at) : QString();
+      },
+      std::move(breaks));
 }
 
 void Inspector::addOfResult(FormColumn* column, const QString& name, const QString& tip,
@@ -180,6 +210,10 @@ void Inspector::makeResult() {
   column->addHeading(tr("Deviation"));
   add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
       &SweepSummary::deviationMax, &SweepLimits::deviation);
+  follow([](const CutSketch& sketch) { return lengthText(sketch.look->deviationMax); },
+         [this](const CutSketch& sketch) {
+           return sketch.look->deviationMax > bench_.design().process.tolerance;
+         });
   addOfResult(
       column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
       [](const CutResult& result) { return lengthText(result.between.deviationMax); }, &SweepLimits::between);
@@ -209,17 +243,24 @@ void Inspector::makeResult() {
   column->addHeading(tr("Blade"));
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
       &SweepLimits::radius);
+  const auto tooTight = [](double radius, const CutSketch& sketch) {
+    return radius > 0 && radius < sketch.sweep->request.blade.minRadius();
+  };
+  follow([](const CutSketch& sketch) { return radiusText(sketch.look->minRadius); },
+         [tooTight](const CutSketch& sketch) { return tooTight(sketch.look->minRadius, sketch); });
   addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
            [this] { return radiusText(bench_.design().blade.minRadius()); });
   values_.back().ofDesign = true;
   add(tr("Steepest cut"), tr("Largest angle between the blade's motion and its plane's normal"), angleText,
       &SweepSummary::angleMax, &SweepLimits::angle);
+  follow([](const CutSketch& sketch) { return angleText(sketch.look->angleMax); });
   add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
   column->addHeading(tr("Motion"));
   addOfResult(column, tr("Fastest point"), {},
               [this](const CutResult&) { return speedText(bench_.shown()->design.process.cuttingSpeed); });
   add(tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), ratioText,
       &SweepSummary::speedRatioMin, &SweepLimits::speed);
+  follow([](const CutSketch& sketch) { return ratioText(sketch.look->speedRatioMin); });
   addOfResult(column, tr("Cutting time"),
               tr("Minutes and seconds, leads included; entry and exit come to it"),
               [](const CutResult& result) { return timeText(result.motion.cuttingTime()); });
@@ -259,7 +300,7 @@ void Inspector::makeBlock() {
   blockFields_ = new BlockFields(bench_, column, this);
   addValue(column, tr("Volume"), {}, [this] {
     const pipeline::CutEvaluation* cut = bench_.shownCut();
-    return cut && cut->setup ? shortNumber(cut->setup->block.size.prod() * 1e-9) + " m³" : QString();
+    return cut && cut->setup ? shortNumber(cut->block().size.prod() * 1e-9) + " m³" : QString();
   });
   column->addGap();
   gridColumn_ = column->addWide(new FormColumn);
@@ -366,11 +407,16 @@ void Inspector::makeStation() {
   };
   add(tr("Travel"), tr("Position along the cutting direction"),
       [](const StationView& s) { return lengthText(s.pose.travel); });
+  followStation(
+      [](const CutSketch& sketch, std::size_t i) { return lengthText(sketch.sweep->poses[i].travel); });
   addValue(column, tr("Time"), tr("From the start of the motion"), [this] {
     return station() ? timeText(bench_.timeOfStation(bench_.selection().station)) : QString();
   });
   column->addHeading(tr("Fit"));
   add(tr("Section length"), {}, [](const StationView& s) { return lengthText(s.fit.target.length()); });
+  followStation([](const CutSketch& sketch, std::size_t i) {
+    return lengthText(sketch.sweep->fits[i].target.length());
+  });
   add(tr("Largest distance"), tr("Hausdorff distance between section and elastica"),
       [](const StationView& s) { return lengthText(s.fit.fit.hausdorff); });
   add(tr("Residual R4"), tr("Root mean square distance over the length"),
@@ -396,6 +442,15 @@ void Inspector::makeStation() {
         return radiusText(curvature > 0 ? 1 / curvature : 1e12);
       },
       &SweepLimits::radius);
+  followStation(
+      [](const CutSketch& sketch, std::size_t i) {
+        const double curvature = sketch.sweep->poses[i].maxCurvature();
+        return radiusText(curvature > 0 ? 1 / curvature : 1e12);
+      },
+      [](const CutSketch& sketch, std::size_t i) {
+        const double curvature = sketch.sweep->poses[i].maxCurvature();
+        return curvature > 1 / sketch.sweep->request.blade.minRadius();
+      });
   add(
       tr("Stability margin"), tr("How firmly it rests: 1 for a straight blade, 0 where it is about to snap"),
       [](const StationView& s) { return ratioText(s.check.stabilityMargin); }, &SweepLimits::margin);
@@ -404,10 +459,19 @@ void Inspector::makeStation() {
          "leads "
          "the blade, and which it keeps. Lost: nothing brings the blade there"),
       [](const StationView& s) { return restText(s.rest); });
+  followStation([](const CutSketch& sketch, std::size_t i) { return restText(sketch.look->rest[i]); },
+                [](const CutSketch& sketch, std::size_t i) { return sketch.look->rest[i] == Rest::lost; });
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
       [](const StationView& s) { return QString::number(bladeInflections(s.pose.blade)); });
+  followStation([](const CutSketch& sketch, std::size_t i) {
+    return QString::number(bladeInflections(sketch.sweep->poses[i].blade));
+  });
   add(tr("Extension"), tr("Length of the blade beyond the surface, on the side where there is less of it"),
       [](const StationView& s) { return lengthText(std::min(s.pose.before, s.pose.after())); });
+  followStation([](const CutSketch& sketch, std::size_t i) {
+    const BladePose& pose = sketch.sweep->poses[i];
+    return lengthText(std::min(pose.before, pose.after()));
+  });
   add(
       tr("Clearance"), tr("Between the nearer grip and the block"),
       [](const StationView& s) { return lengthText(s.check.clearance); }, &SweepLimits::clearance);
@@ -433,6 +497,9 @@ void Inspector::makeStation() {
     values_.push_back(
         {place, [this, end] { return station() ? pointText((station()->pose.*end)()) + " mm" : QString(); },
          nullptr});
+    followStation([end](const CutSketch& sketch, std::size_t i) {
+      return pointText((sketch.sweep->poses[i].*end)()) + " mm";
+    });
   };
   addGrip(tr("Left, in the frame of the file"), &BladePose::leftPoint);
   addGrip(tr("Right, in the frame of the file"), &BladePose::rightPoint);
@@ -459,8 +526,22 @@ void Inspector::setStale(bool stale) {
 }
 
 void Inspector::refreshStanding() {
+  const pipeline::CutSketch* sketch = bench_.sketchedCut();
   for (const Value& value : values_)
-    value.label->setStanding(value.broken && value.broken(), stale_ && !value.ofDesign);
+    if (sketch && value.followed)
+      value.label->setStanding(value.followedBroken && value.followedBroken(*sketch), false);
+    else
+      value.label->setStanding(value.broken && value.broken(), stale_ && !value.ofDesign);
+}
+
+void Inspector::refreshNumbers(bool all) {
+  const pipeline::CutSketch* sketch = bench_.sketchedCut();
+  for (const Value& value : values_) {
+    if (!all && !value.followed) continue;
+    const QString text = sketch && value.followed ? value.followed(*sketch) : value.text();
+    value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
+  }
+  refreshStanding();
 }
 
 void Inspector::refresh() {
@@ -471,12 +552,8 @@ void Inspector::refresh() {
   const bool there = selection.kind != Selection::Kind::station || bench_.sweep();
   empty_->setVisible(!there);
   pages_->setVisible(there);
-  for (const Value& value : values_) {
-    const QString text = value.text();
-    value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
-  }
+  refreshNumbers(true);
   told_->setVisible(!toldHere().isEmpty());
-  refreshStanding();
   cutLines_->refresh();
   // Of a page that nobody sees the fields wait.
   if (selection.kind == Selection::Kind::surface) surfaceFields_->refresh();

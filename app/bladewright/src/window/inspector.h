@@ -41,7 +41,16 @@ class Inspector : public SidePanel {
     std::function<QString()> text;
     std::function<bool()> broken;  ///< whether the number breaks its limit; null: it has none
     bool ofDesign = false;         ///< of the present design, never of an earlier one
+    /// What a sketch tells of it, and whether that breaks the limit; null: nothing.
+    std::function<QString(const pipeline::CutSketch&)> followed = {};
+    std::function<bool(const pipeline::CutSketch&)> followedBroken = {};
   };
+  /// Has the line added last follow a hand, by what the sketch tells of the cut selected.
+  void follow(std::function<QString(const pipeline::CutSketch&)> text,
+              std::function<bool(const pipeline::CutSketch&)> broken = {});
+  /// The same by what it tells of the station selected.
+  void followStation(std::function<QString(const pipeline::CutSketch&, std::size_t)> text,
+                     std::function<bool(const pipeline::CutSketch&, std::size_t)> broken = {});
   FormColumn* addPage();
   void addValue(FormColumn* column, const QString& name, const QString& tip, std::function<QString()> text,
                 std::function<bool()> broken = {});
@@ -55,6 +64,8 @@ class Inspector : public SidePanel {
   void makeBlade();
   void makeStation();
   void refresh();
+  /// `all`: those, too, that follow no hand.
+  void refreshNumbers(bool all);
   /// What the program of the cut selected cuts; null if that is not known.
   const SimulatedSurface* programCut() const;
   /// The block selected, of the result on the screen; null if there is none.

@@ -382,10 +382,18 @@ std::string SurfaceHandles::pullText() const {
   return text.toStdString();
 }
 
+void SurfaceHandles::lookBeside(int handle) {
+  const std::string cut = bench_.selection().cut;
+  bench_.lookBeside(placeOf(handle), chosen_.size() == 1);
+  // What is chosen is of another cut, too, and not of the one that was selected.
+  if (bench_.selection().cut != cut && bench_.selection().kind != Selection::Kind::station)
+    emit chosenChanged();
+}
+
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (handle >= count()) return;  // another's
   grab(handle, keys);
-  bench_.lookBeside(placeOf(handle));
+  lookBeside(handle);
   const Eigen::Vector3d travel = way(HandleNumber::across).cross(way());
   if (std::abs(view_->rayAt(position).second.dot(travel)) < kAlongTravel) pull_->freely = false;
   pull_->began = handAt(position).value_or(Eigen::Vector2d(0, 0));
@@ -541,7 +549,7 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step, bool any
       number == HandleNumber::height ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(1, 0);
   if (!pull_) {
     begin({chosen_.back(), false, *surface, *surface, bench_.document().design(), along});
-    bench_.lookBeside(placeOf(chosen_.back()));
+    lookBeside(chosen_.back());
   } else if (pull_->along != along) {
     pull_->base = *surface;
     pull_->along = along;

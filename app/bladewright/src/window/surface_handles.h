@@ -149,6 +149,8 @@ class SurfaceHandles : public QObject {
 
   void begin(Pull pull);
   void press(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
+  /// Turns the section to a handle that is taken hold of.
+  void lookBeside(int handle);
   void move(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
   void release(int handle, bool givenUp);
   void hover(int handle);

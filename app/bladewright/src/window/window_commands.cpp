@@ -366,13 +366,22 @@ void MainWindow::makeHandleCommands() {
 
 void MainWindow::refreshHandleCommands() {
   const bool point = handles_->sectionPoint().has_value(), blade = handles_->keyBlade().has_value();
-  for (const char* id : {"handles.addPoint", "handles.removePoint"}) commands_[id]->setEnabled(point);
+  const std::size_t chosen = handles_->shown() ? handles_->chosen().size() : 0;
+  const QString one = chosen == 0  ? tr("Not now: no handle is chosen.")
+                      : chosen > 1 ? tr("Not now: %1 handles are chosen; choose one.").arg(chosen)
+                                   : QString();
+  const auto unless = [&](bool able, const QString& why) {
+    return able ? QString() : one.isEmpty() ? why : one;
+  };
+  for (const char* id : {"handles.addPoint", "handles.removePoint"})
+    commands_.allow(id, unless(point, tr("Not now: the handle is none of a curve.")));
   for (const char* id : {"handles.addSection", "handles.removeSection", "handles.duplicate"})
-    commands_[id]->setEnabled(point || blade);
+    commands_.allow(id, unless(point || blade, tr("Not now: the handle is of no curve and no key blade.")));
   commands_["handles.addSection"]->setText(blade ? tr("Add key &blade") : tr("Add &section"));
   commands_["handles.removeSection"]->setText(blade ? tr("&Remove key blade") : tr("&Remove section"));
-  commands_["handles.copyShape"]->setEnabled(!handles_->others().empty());
-  commands_["handles.number"]->setEnabled(handles_->shown() && !handles_->chosen().empty());
+  commands_.allow("handles.copyShape",
+                  handles_->others().empty() ? tr("Not now: choose handles of several of them.") : QString());
+  commands_.allow("handles.number", chosen == 0 ? one : QString());
   const bool possible = handles_->possible();
   commands_["handles.symmetric"]->setEnabled(possible);
   commands_["handles.symmetric"]->setChecked(handles_->symmetric());

@@ -51,7 +51,9 @@ struct Question {
 /// A question for numbers: fields with Cancel and a button that takes them below.
 struct NumbersQuestion {
   NumbersQuestion(const QString& title, QWidget* window) : dialog(window), column(new FormColumn(&dialog)) {
+    constexpr int kButtons = 160;  // px beside the title, of what closes the dialog
     dialog.setWindowTitle(title);
+    dialog.setMinimumWidth(dialog.fontMetrics().horizontalAdvance(title) + kButtons);
   }
 
   /// True if the person took them with the button `act`; what is refused is not taken.

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/design/blade_bindings.h"
 #include "bw/core/sweep/station_times.h"
 #include "bw/core/text/number_text.h"
@@ -24,6 +25,7 @@ namespace {
 // A surface outside these extents is more likely a mistaken unit than a job for a hot blade, mm.
 constexpr double kSmallestPlausible = 40;
 constexpr double kLargestPlausible = 20000;
+constexpr double kSamePlace = 1e-6;  // mm by which a block is no nearer than another
 
 }  // namespace
 
@@ -209,7 +211,28 @@ void Workbench::setMoving(bool moving) {
   tellChanged(Aspect::playTime);
 }
 
-void Workbench::lookBeside(const Eigen::Vector3d& place) {
+void Workbench::selectCutAt(const Eigen::Vector3d& place) {
+  const auto evaluation = shown();
+  const pipeline::CutEvaluation* selected = shownCut();
+  if (!selected || !selected->setup) return;
+  // Beside several the one that is selected stays.
+  double least = boxDistance(selected->block(), place) - kSamePlace;
+  Selection next = selection_;
+  for (const pipeline::BlockEvaluation& block : evaluation->blocks)
+    for (const pipeline::CutEvaluation& other : block.cuts) {
+      const auto cut = std::ranges::find(design().cuts, other.id, &Cut::id);
+      if (!other.result() || cut == design().cuts.end() || &design().sourceOf(*cut) != &source()) continue;
+      const double distance = boxDistance(other.block(), place);
+      if (distance >= least) continue;
+      least = distance;
+      next.cut = other.id;
+      next.block = block.id;
+    }
+  if (next != selection_) select(next);
+}
+
+void Workbench::lookBeside(const Eigen::Vector3d& place, bool anyCut) {
+  if (anyCut) selectCutAt(place);
   const auto result = sweep();
   if (!result || result->sweep.poses.empty()) return;
   const Sweep& row = result->sweep;

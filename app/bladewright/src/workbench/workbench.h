@@ -144,9 +144,10 @@ class Workbench : public QObject {
   double playTime() const { return playTime_; }
   double playEnd() const;
   void setPlayTime(double seconds);
-  /// Turns to the station beside a place, in the file's frame: that is selected where a station is, else the
-  /// time is that at which the blade passes there.
-  void lookBeside(const Eigen::Vector3d& place);
+  /// Turns to the station beside a place, in the file's frame: it is selected where a station is, else the
+  /// time is that at which the blade passes there. `anyCut`: of the cut in whose block the place lies, if
+  /// that is of the same source.
+  void lookBeside(const Eigen::Vector3d& place, bool anyCut);
   /// The time at which the blade passes a station.
   double timeOfStation(int station) const;
   /// The station (fractional) that the blade stands at; −1 without a result.
@@ -299,6 +300,8 @@ class Workbench : public QObject {
   void onFinished();
   void tellChanged(model::Aspects whole) { emit changed({whole}); }
   Cut& cutOf(Design& design) const;  ///< the one selected
+  /// Selects the cut in whose block a place lies, or the nearest one, of those of the same source.
+  void selectCutAt(const Eigen::Vector3d& place);
   /// What the numbers of a finding say: more stations where blocks meet, a block that is split across the
   /// blade where its points are too uneven, and one that reaches lower.
   std::optional<Offer> offerStations(const Finding& finding) const;
