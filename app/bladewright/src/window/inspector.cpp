@@ -243,11 +243,11 @@ void Inspector::makeResult() {
   column->addHeading(tr("Blade"));
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
       &SweepLimits::radius);
-  const auto tooTight = [](double radius, const CutSketch& sketch) {
-    return radius > 0 && radius < sketch.sweep->request.blade.minRadius();
-  };
   follow([](const CutSketch& sketch) { return radiusText(sketch.look->minRadius); },
-         [tooTight](const CutSketch& sketch) { return tooTight(sketch.look->minRadius, sketch); });
+         [](const CutSketch& sketch) {
+           const double radius = sketch.look->minRadius;
+           return radius > 0 && radius < sketch.sweep->request.blade.minRadius();
+         });
   addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
            [this] { return radiusText(bench_.design().blade.minRadius()); });
   values_.back().ofDesign = true;

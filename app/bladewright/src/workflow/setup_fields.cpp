@@ -179,7 +179,8 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
   automatic_ = column->addCheck(
       tr("Block around the surface"),
-      tr("On: the block follows the surface. Off: place it by its corner, size and rotation."));
+      tr("On: the block follows the surface, and goes on below it as far as the floor asks for. Off: "
+         "place it by its corner, size and rotation."));
   connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
     const BlockPlacement now = placement();
     bench_.editBlock(on ? tr("Fit block to surface") : tr("Place block"), [on, now](StockBlock& block) {
