@@ -85,8 +85,8 @@ constexpr double kNear = 0.1, kGrown = 1.25, kWorthAJump = 0.7;
 
 /// A station whose blade is `from`'s, brought to its own section; empty where that does not lead to a blade
 /// that may stand in the row.
-std::optional<Station> carriedOn(const Row& row, std::size_t i, const Station& from) {
-  Station station = row.carried(i, from);
+std::optional<Station> carriedOn(const Row& row, std::size_t i, const Station& from, bool turned = false) {
+  Station station = row.carried(i, from, turned);
   settle(row, {&station}, &from);
   if (!station.good) return {};
   const std::array<bool, kStationMargins> before = station.watched;
@@ -204,7 +204,8 @@ std::vector<Station> arched(const Row& row, const Stations& stations, std::size_
   std::vector<Station> made;
   made.reserve(last - first + 1);
   while (made.size() <= last - first) {
-    std::optional<Station> next = carriedOn(row, forward ? first + made.size() : last - made.size(), *from);
+    std::optional<Station> next =
+        carriedOn(row, forward ? first + made.size() : last - made.size(), *from, true);
     if (!next || isPulled(*next) || next->distance() > kWithin * row.sweep().request.tolerance ||
         soundness(row, *next) != kSound)
       return {};
@@ -314,11 +315,16 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
   const std::vector<std::size_t> arches = archAll(row, stations);
   if (arches.empty()) return;
   settle();
+  // None of them, nor of the others, for this.
   const auto serves = [&](std::size_t i) {
-    const Station& station = *stations.at[i];
-    return row.holds(station) && sound(station) == kSound && station.distance() <= sweep.request.tolerance;
+    const std::optional<Station>&is = stations.at[i], &was = standing.at[i];
+    if (!was || !row.holds(*was)) return true;
+    return row.holds(*is) && is->distance() <= std::max(sweep.request.tolerance, was->distance()) &&
+           (sound(*is) == kSound || sound(*is) == sound(*was));
   };
-  if (!std::ranges::all_of(arches, serves)) stations = std::move(standing);
+  bool all = true;
+  for (std::size_t i = 0; i < n; ++i) all = all && serves(i);
+  if (!all) stations = std::move(standing);
 }
 
 }  // namespace

@@ -352,16 +352,17 @@ void Row::watch(Station& station) const {
   look(station);
 }
 
-Station Row::carried(std::size_t i, const Station& from) const {
+Station Row::carried(std::size_t i, const Station& from, bool turned) const {
   Station station = from;
   take(station, i);
-  // Turned with the section.
-  const Vector2d was = from.section.back() - from.section.front(),
-                 is = station.section.back() - station.section.front();
-  const Eigen::Rotation2Dd turn(std::atan2(was.x() * is.y() - was.y() * is.x(), was.dot(is)));
-  auto numbers = Vector6::Map(station.numbers);
-  numbers(2) += turn.angle() * unit_;
-  numbers.tail<2>() = turn * Vector2d(numbers.tail<2>());
+  if (turned) {
+    const Vector2d was = from.section.back() - from.section.front(),
+                   is = station.section.back() - station.section.front();
+    const Eigen::Rotation2Dd turn(std::atan2(was.x() * is.y() - was.y() * is.x(), was.dot(is)));
+    auto numbers = Vector6::Map(station.numbers);
+    numbers(2) += turn.angle() * unit_;
+    numbers.tail<2>() = turn * Vector2d(numbers.tail<2>());
+  }
   const double foot = std::clamp(
       0.5 * (station.feet.front() + station.feet.back()) + from.aside - station.aside, 0.0, length_);
   const double length = station.sectionLength;

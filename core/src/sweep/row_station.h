@@ -118,8 +118,8 @@ class Row {
   void take(Station& station, std::size_t i) const;
   /// Has a station look at its margin too, if that is near the least that is asked for.
   void watch(Station& station) const;
-  /// A station of which the blade of another one, `from`, is to become the blade.
-  Station carried(std::size_t i, const Station& from) const;
+  /// A station of which the blade of another one, `from`, is to become the blade; `turned` as the section is.
+  Station carried(std::size_t i, const Station& from, bool turned = false) const;
   /// The blade without weight; empty where the station's numbers are none of a blade.
   std::optional<Elastica> light(const Station& station) const;
   /// True if the blade keeps the margin that is asked for.
