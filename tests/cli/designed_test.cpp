@@ -189,8 +189,8 @@ TEST(Designed, SlipsInWhatIsVariedAreNamed) {
 TEST(Designed, IsHandedOverWithItsReportAndPictures) {
   const Folder folder;
   const std::string design = exampleIn(folder, "three-block-wall");
-  // As it is without a word, and on one thread.
-  ASSERT_EQ(shell("$BLADE design '" + design + "' --out '" + folder / "2" + "'").status, 0);
+  // As it is without a word, on two threads and on one.
+  ASSERT_EQ(shell("$BLADE design '" + design + "' --out '" + folder / "2" + "' --threads 2").status, 0);
   ASSERT_EQ(blade({"design", design, "--out", folder / "1", "--handover", "--threads", "1"}).status, 0);
   const std::string html = slurp(folder / "1/report.html"), pdf = slurp(folder / "1/report.pdf");
   EXPECT_NE(html.find("All stated limits hold."), std::string::npos);

@@ -26,6 +26,10 @@ constexpr int kSectionPoints = 17;  // of a section, at which its place is looke
 
 QString ratioText(double ratio) { return QString::fromStdString(fixedText(ratio, 2)); }
 QString shortNumber(double value) { return QString::fromStdString(shortText(value, 3)); }
+QString bendText(const BladePose& pose) {
+  const double curvature = pose.maxCurvature();
+  return radiusText(curvature > 0 ? 1 / curvature : 1e12);
+}
 QString restText(Rest rest) {
   switch (rest) {
     case Rest::certain:
@@ -436,21 +440,13 @@ void Inspector::makeStation() {
   });
   column->addHeading(tr("Blade"));
   add(
-      tr("Smallest radius"), tr("Of the whole blade"),
-      [](const StationView& s) {
-        const double curvature = s.pose.maxCurvature();
-        return radiusText(curvature > 0 ? 1 / curvature : 1e12);
-      },
+      tr("Smallest radius"), tr("Of the whole blade"), [](const StationView& s) { return bendText(s.pose); },
       &SweepLimits::radius);
-  followStation(
-      [](const CutSketch& sketch, std::size_t i) {
-        const double curvature = sketch.sweep->poses[i].maxCurvature();
-        return radiusText(curvature > 0 ? 1 / curvature : 1e12);
-      },
-      [](const CutSketch& sketch, std::size_t i) {
-        const double curvature = sketch.sweep->poses[i].maxCurvature();
-        return curvature > 1 / sketch.sweep->request.blade.minRadius();
-      });
+  followStation([](const CutSketch& sketch, std::size_t i) { return bendText(sketch.sweep->poses[i]); },
+                [](const CutSketch& sketch, std::size_t i) {
+                  const double curvature = sketch.sweep->poses[i].maxCurvature();
+                  return curvature > 1 / sketch.sweep->request.blade.minRadius();
+                });
   add(
       tr("Stability margin"), tr("How firmly it rests: 1 for a straight blade, 0 where it is about to snap"),
       [](const StationView& s) { return ratioText(s.check.stabilityMargin); }, &SweepLimits::margin);
@@ -522,13 +518,15 @@ void Inspector::showCurve(const std::optional<int>& curve) {
 
 void Inspector::setStale(bool stale) {
   if (stale == std::exchange(stale_, stale)) return;
-  refreshStanding();
+  refreshStanding(true);
 }
 
-void Inspector::refreshStanding() {
-  const pipeline::CutSketch* sketch = bench_.sketchedCut();
+void Inspector::refreshStanding(bool all) {
+  const CutSketch* sketch = bench_.sketchedCut();
   for (const Value& value : values_)
-    if (sketch && value.followed)
+    if (!all && !value.followed)
+      continue;
+    else if (sketch && value.followed)
       value.label->setStanding(value.followedBroken && value.followedBroken(*sketch), false);
     else
       value.label->setStanding(value.broken && value.broken(), stale_ && !value.ofDesign);
@@ -541,7 +539,7 @@ void Inspector::refreshNumbers(bool all) {
     const QString text = sketch && value.followed ? value.followed(*sketch) : value.text();
     value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
   }
-  refreshStanding();
+  refreshStanding(all);
 }
 
 void Inspector::refresh() {

@@ -73,7 +73,7 @@ class Inspector : public SidePanel {
   std::optional<pipeline::StationView> station() const;
   /// What no blade can be of all that the key blades tell where the station selected lies, a sentence each.
   QString toldHere() const;
-  void refreshStanding();
+  void refreshStanding(bool all);
 
   Workbench& bench_;
   const Theme& theme_;
