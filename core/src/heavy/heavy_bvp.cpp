@@ -578,8 +578,6 @@ Result<HeavyBranch> HeavyBranch::from(const HeavyBlade& blade, double stiffness)
 
 Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, std::int64_t work) {
   const WorkMeter meter(work);
-  constexpr double kOneBranch = 0.2;  // of Newton's steps: both ends of the way are on one branch
-  constexpr int kQuick = 8;
   const Result<Unit> unit = check(next, {});
   if (!unit) return tl::unexpected<Error>(unit.error());
   if (next.grips.length != numbers_.length || next.stiffness != stiffness_)
@@ -597,28 +595,25 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, std::i
                  unit->hold(turning)};
   way.to.startAngle = startAngle;
   Shape before{numbers_.coefficients, numbers_.endForce * squared};
-  heavy::Settling seen;
-  std::optional<Shape> there = heavy::settle(way.to, before, kQuick, &seen);
+  std::optional<heavy::Followed> followed = heavy::atOnce(way, before);
+  std::optional<Shape> there;
   ClampedBranch::Move move;
-  Hold hold = way.to;
-  if (there && seen.contraction <= kOneBranch &&
-      heavy::isStable(Equations(modesOf(there->count()), way.to, *there))) {
-    there = heavy::refined(hold, *there, heavy::kExact);
-    if (!there) return lost("in finer modes");
-  } else {
-    for (there.reset(); !there;) {
-      const std::optional<heavy::Followed> followed = heavy::follow(way, before);
-      if (!followed) return lost("to its new grips");
-      move = {followed->snapped, followed->end.part};
-      hold = way.at(followed->end.part);
-      there = heavy::refined(hold, followed->end.shape, heavy::kExact);
-      if (there) break;
-      // In finer modes the branch ends a little earlier: once more in those.
-      const std::optional<Shape> finer = heavy::finer(way.from, before);
-      if (!finer) return lost("in finer modes");
-      before = *finer;
-    }
+  Hold hold;
+  while (!there) {
+    if (!followed) followed = heavy::follow(way, before);
+    if (!followed) return lost("to its new grips");
+    move = {followed->snapped, followed->end.part};
+    hold = way.at(followed->end.part);
+    there = heavy::refined(hold, followed->end.shape, heavy::kExact);
+    if (there) break;
+    // In finer modes the branch ends a little earlier: once more in those.
+    const std::optional<Shape> finer = heavy::finer(way.from, before);
+    if (!finer) return lost("in finer modes");
+    before = *finer;
+    followed.reset();
   }
+  const bool told = followed->rests && there->count() == followed->rests->shape().count();
+  rests_ = told ? std::move(followed->rests) : nullptr;
   numbers_.start += move.reached * (next.grips.start - numbers_.start);
   end_ = numbers_.start + length * hold.chord;
   numbers_.startAngle = hold.startAngle;
@@ -655,6 +650,9 @@ struct HeavySlopes::Work {
 
 HeavySlopes::HeavySlopes(const HeavyBlade& blade)
     : work_(std::make_unique<Work>(Work{blade.length(), equationsOf(blade)})) {}
+HeavySlopes::HeavySlopes(const HeavyBranch& branch)
+    : work_(std::make_unique<Work>(
+          Work{branch.numbers_.length, branch.rests_ ? *branch.rests_ : equationsOf(branch.blade())})) {}
 HeavySlopes::HeavySlopes(HeavySlopes&& other) noexcept = default;
 HeavySlopes& HeavySlopes::operator=(HeavySlopes&& other) noexcept = default;
 HeavySlopes::~HeavySlopes() = default;
@@ -686,21 +684,16 @@ Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<c
 Result<HeavyDerivatives> HeavySlopes::at(std::span<const double> s) const {
   const double length = work_->length;
   const Equations& equations = work_->equations;
-  const heavy::Modes& modes = equations.modes();
-  const Eigen::MatrixXd moves = heavy::movesOf(equations, work_->change());
+  const Index places = Index(s.size());
+  const Eigen::MatrixXd moves =
+      heavy::movesOf(equations, work_->change(), Eigen::ArrayXd::Map(s.data(), places) / length);
   if (!moves.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
-  const Index nodes = modes.nodes.size(), places = Index(s.size());
-  const Eigen::MatrixXd at = heavy::legendreAt(Eigen::ArrayXd::Map(s.data(), places) / length, nodes).values;
-  Eigen::MatrixXd all(places, 12);  // x, y and angle by the four
-  for (int row = 0; row < 3; ++row) {
-    const Eigen::MatrixXd series = modes.polynomials * moves.middleRows(row * nodes, nodes);
-    all.middleCols<4>(4 * row) = at * series;
-  }
   HeavyDerivatives result;
+  result.byGrips.reserve(s.size());
   for (Index k = 0; k < places; ++k) {
     Eigen::Matrix<double, 3, 4> moved;
-    for (int row = 0; row < 3; ++row) moved.row(row) = all.block<1, 4>(k, 4 * row);
+    for (int row = 0; row < 3; ++row) moved.row(row) = moves.row(row * places + k);
     // Lengths: x and y by mm are as they are, by rad times the length; angles by mm over it.
     moved.topRightCorner<2, 2>() *= length;
     moved.row(2).head<2>() /= length;

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 Equations::Equations(const Modes& modes, const Hold& hold, const Shape& shape)
-    : modes_(modes), hold_(hold), shape_(shape) {
+    : modes_(&modes), hold_(hold), shape_(shape) {
   Sampled& s = sampled_;
   s.angle.noalias() = modes.values.transpose() * shape.coefficients;
   s.angle += hold.turning * modes.nodes;
@@ -34,28 +34,29 @@ Equations::Equations(const Modes& modes, const Hold& hold, const Shape& shape)
 }
 
 VectorXd Equations::moments(const ArrayXd& f) const {
-  return modes_.values * (modes_.weights.array() * f).matrix();
+  return modes_->values * (modes_->weights.array() * f).matrix();
 }
 
 VectorXd Equations::residual() const {
   VectorXd result(shape_.count() + 2);
   result << shape_.coefficients - moments(sampled_.across),
-      hold_.chord.x() - modes_.weights.dot(sampled_.cosine.matrix()),
-      hold_.chord.y() - modes_.weights.dot(sampled_.sine.matrix());
+      hold_.chord.x() - modes_->weights.dot(sampled_.cosine.matrix()),
+      hold_.chord.y() - modes_->weights.dot(sampled_.sine.matrix());
   return result;
 }
 
-MatrixXd Equations::hessian() const {
+const MatrixXd& Equations::hessian() const {
+  if (hessian_) return *hessian_;
   // Charged like the eigenvalues of the weightless blade: half a microsecond for a hundred products.
-  detail::chargeWork(modes_.count() * modes_.count() * modes_.nodes.size() / 400);
-  const MatrixXd weighted = modes_.values * (modes_.weights.array() * sampled_.along).matrix().asDiagonal();
-  MatrixXd result = MatrixXd::Identity(modes_.count(), modes_.count());
-  result.template triangularView<Eigen::Lower>() += weighted * modes_.values.transpose();
-  return result.selfadjointView<Eigen::Lower>();
+  detail::chargeWork(modes_->count() * modes_->count() * modes_->nodes.size() / 400);
+  const MatrixXd weighted = modes_->values * (modes_->weights.array() * sampled_.along).matrix().asDiagonal();
+  MatrixXd result = MatrixXd::Identity(modes_->count(), modes_->count());
+  result.template triangularView<Eigen::Lower>() += weighted * modes_->values.transpose();
+  return hessian_.emplace(result.selfadjointView<Eigen::Lower>());
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 2> Equations::closure() const {
-  Eigen::Matrix<double, Eigen::Dynamic, 2> result(modes_.count(), 2);
+  Eigen::Matrix<double, Eigen::Dynamic, 2> result(modes_->count(), 2);
   result << moments(-sampled_.sine), moments(sampled_.cosine);
   return result;
 }
@@ -77,20 +78,20 @@ MatrixXd bordered(const MatrixXd& hessian, const Eigen::Matrix<double, Eigen::Dy
 MatrixXd Equations::jacobian() const { return bordered(hessian(), closure()); }
 
 VectorXd Equations::along(const Hold& change) const {
-  const ArrayXd turned = change.startAngle + change.turning * modes_.nodes.array();
-  const ArrayXd left = 1 - modes_.nodes.array();
+  const ArrayXd turned = change.startAngle + change.turning * modes_->nodes.array();
+  const ArrayXd left = 1 - modes_->nodes.array();
   const ArrayXd loaded = left * (change.load.y() * sampled_.cosine - change.load.x() * sampled_.sine);
-  VectorXd result(modes_.count() + 2);
+  VectorXd result(modes_->count() + 2);
   result << moments(sampled_.along * turned - loaded),
-      change.chord.x() + modes_.weights.dot((turned * sampled_.sine).matrix()),
-      change.chord.y() - modes_.weights.dot((turned * sampled_.cosine).matrix());
+      change.chord.x() + modes_->weights.dot((turned * sampled_.sine).matrix()),
+      change.chord.y() - modes_->weights.dot((turned * sampled_.cosine).matrix());
   return result;
 }
 
 double Equations::energy() const {
-  const ArrayXd left = 1 - modes_.nodes.array();
+  const ArrayXd left = 1 - modes_->nodes.array();
   return 0.5 * (hold_.turning * hold_.turning + shape_.coefficients.squaredNorm()) -
-         modes_.weights.dot(
+         modes_->weights.dot(
              (left * (hold_.load.x() * sampled_.cosine + hold_.load.y() * sampled_.sine)).matrix());
 }
 
@@ -131,7 +132,7 @@ std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settl
     }
     const double length = step.head(shape.count()).norm();
     if (!step.allFinite() || length > kLost) break;
-    if (seen && i > 0 && before > kResolved) seen->contraction = std::max(seen->contraction, length / before);
+    if (seen && i > 0 && before > kResolved && length > kOneBranch * before) break;
     before = length;
     shape.coefficients -= step.head(shape.count());
     shape.force -= step.tail<2>();
@@ -201,7 +202,7 @@ bool surelyPositive(MatrixXd form, MatrixXd constraints) {
 
 bool isStable(const Equations& equations) {
   if (equations.sampled().along.minCoeff() > -kSurelyPositive) return true;
-  const MatrixXd hessian = equations.hessian();
+  const MatrixXd& hessian = equations.hessian();
   const Eigen::Matrix<double, Eigen::Dynamic, 2> closure = equations.closure();
   if (surelyPositive(hessian, closure)) return true;
   // Most that are not stable fall along one direction.

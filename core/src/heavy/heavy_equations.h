@@ -57,8 +57,8 @@ class Equations {
   Eigen::MatrixXd jacobian() const;
   /// Its derivative along a change of the hold.
   Eigen::VectorXd along(const Hold& change) const;
-  /// The second derivative of the energy by c, and the gradients of ∫ t.
-  Eigen::MatrixXd hessian() const;
+  /// The second derivative of the energy by c, found once, and the gradients of ∫ t.
+  const Eigen::MatrixXd& hessian() const;
   Eigen::Matrix<double, Eigen::Dynamic, 2> closure() const;
   /// ½ ∫ θ'² − ∫ (1 − s) load·t.
   double energy() const;
@@ -66,16 +66,17 @@ class Equations {
   const Sampled& sampled() const { return sampled_; }
   const Shape& shape() const { return shape_; }
   const Hold& hold() const { return hold_; }
-  const Modes& modes() const { return modes_; }
+  const Modes& modes() const { return *modes_; }
 
  private:
   /// ∫ f φ_j.
   Eigen::VectorXd moments(const Eigen::ArrayXd& f) const;
 
-  const Modes& modes_;
+  const Modes* modes_;
   Hold hold_;
   Shape shape_;
   Sampled sampled_;
+  mutable std::optional<Eigen::MatrixXd> hessian_ = std::nullopt;  // of one thread, as all of it
 };
 
 /// Those that a blade at rest obeys, with its length and stiffness as units.
@@ -88,16 +89,18 @@ inline constexpr double kAtRest = 1e-13;
 /// What the last modes of a shape carry, rad, that is followed, and of one that is told.
 inline constexpr double kResolved = 1e-6, kExact = 1e-9;
 
+/// The largest ratio of two of Newton's steps, as long as they are more than kResolved, at which its start and
+/// its end are on one branch.
+inline constexpr double kOneBranch = 0.2;
+
 /// What Newton's method saw on its way.
 struct Settling {
-  /// The largest ratio of two steps, as long as they are more than kResolved: well below one, the start is on
-  /// the same branch.
-  double contraction = 0;
   /// Whether the energy falls along an odd number of directions that the ends leave free, where its
   /// derivative was factorised last: on the same branch, at the end as well. Empty where it never was.
   std::optional<bool> fallsOddly = std::nullopt;
 };
-/// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`.
+/// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`, and with
+/// `seen` also where its steps do not shrink as fast as to stay on the branch of its start (kOneBranch).
 std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen = nullptr);
 
 /// The shape in the next number of modes. Empty at kMostModes, or if Newton's method loses it.

@@ -159,6 +159,16 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   return margins;
 }
 
+namespace {
+
+/// By how much the ends alone turn the tangent with the angle of the start (2) or the end (3).
+ArrayXd turnedWith(Index k, const ArrayXd& places) {
+  if (k < 2) return ArrayXd::Zero(places.size());
+  return k == 2 ? ArrayXd(1 - places) : places;
+}
+
+}  // namespace
+
 Changes changesOf(const Equations& equations) {
   const Modes& modes = equations.modes();
   const Index n = modes.count(), nodes = modes.nodes.size();
@@ -167,26 +177,29 @@ Changes changesOf(const Equations& equations) {
   changes[0].chord.x() = changes[1].chord.y() = 1;
   changes[2].startAngle = changes[3].turning = 1;
   changes[2].turning = -1;
-  MatrixXd right(n + 2, 4), turned(nodes, 4), bent(nodes, 4);
+  MatrixXd right(n + 2, 4), turned(nodes, 4);
   for (Index k = 0; k < 4; ++k) {
     right.col(k) = -equations.along(changes[k]);
-    turned.col(k) = changes[k].startAngle + changes[k].turning * modes.nodes.array();
-    bent.col(k).setConstant(changes[k].turning);
+    turned.col(k) = turnedWith(k, modes.nodes.array());
   }
   const MatrixXd moved = equations.jacobian().partialPivLu().solve(right);
-  turned += modes.values.transpose() * moved.topRows(n);
-  bent += modes.slopes.transpose() * moved.topRows(n);
-  return {turned, bent, moved.bottomRows<2>()};
+  turned.noalias() += modes.values.transpose() * moved.topRows(n);
+  return {moved.topRows(n), moved.bottomRows<2>(), std::move(turned)};
 }
 
-MatrixXd movesOf(const Equations& equations, const Changes& changes) {
+MatrixXd movesOf(const Equations& equations, const Changes& changes, const ArrayXd& places) {
   const Modes& modes = equations.modes();
-  const Index nodes = modes.nodes.size();
-  const MatrixXd& turned = changes.turned;
+  const Index n = modes.count(), nodes = modes.nodes.size(), count = places.size();
   const Sampled& s = equations.sampled();
-  MatrixXd result(3 * nodes, 4);
-  result << -(modes.integral * (s.sine.matrix().asDiagonal() * turned)),
-      modes.integral * (s.cosine.matrix().asDiagonal() * turned), turned;
+  MatrixXd moved(nodes, 8);  // dt/ds, x and y by the four
+  moved << (-s.sine).matrix().asDiagonal() * changes.turned, s.cosine.matrix().asDiagonal() * changes.turned;
+  const Legendre at = legendreAt(places, nodes);
+  const MatrixXd series = modes.polynomials * moved, both = at.integrals * series;
+  MatrixXd result(3 * count, 4);
+  result.topRows(count) = both.leftCols<4>();
+  result.middleRows(count, count) = both.rightCols<4>();
+  result.bottomRows(count).noalias() = at.integrals.middleCols(1, n) * changes.coefficients;
+  for (Index k = 2; k < 4; ++k) result.col(k).tail(count) += turnedWith(k, places).matrix();
   return result;
 }
 
@@ -194,7 +207,7 @@ MarginSlope marginSlopeOf(const Equations& equations, double below,
                           const std::function<const Changes&()>& changesBy) {
   const Modes& modes = equations.modes();
   if (surelyAbove(equations.sampled().along, below)) return {below};
-  const MatrixXd form = equations.hessian();
+  const MatrixXd& form = equations.hessian();
   const Eigen::MatrixX2d closed = equations.closure();
   VectorXd function;
   MarginSlope slope{smallest(modes, form, closed, below, &function)};
@@ -229,7 +242,9 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
   const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();
   const double twisted = (weights * curvature * phi).sum();
   for (Index k = 0; k < 4; ++k) {
-    const ArrayXd bent = changes.bent.col(k);
+    // Of what `turnedWith` tells, the slope.
+    const ArrayXd bent = (modes.slopes.transpose() * changes.coefficients.col(k)).array() +
+                         (k < 2 ? 0.0 : k == 2 ? -1.0 : 1.0);
     const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine +
                           s.across * changes.turned.col(k).array() - 2 * curvature * bent;
     slope.byGrips(k) =
@@ -240,8 +255,8 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
 }
 
 ClampedSensitivity sensitivityOf(const Equations& equations) {
-  const MatrixXd moves = movesOf(equations, changesOf(equations));
   const Modes& modes = equations.modes();
+  const MatrixXd moves = movesOf(equations, changesOf(equations), modes.nodes.array());
   const Index nodes = modes.nodes.size();
   Eigen::Matrix4d positions = Eigen::Matrix4d::Zero();
   Eigen::Matrix2d angles = Eigen::Matrix2d::Zero();

@@ -22,19 +22,19 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
 
 /// How an equilibrium changes with its grips, columns the end's x and y, then the angles of start and end.
 struct Changes {
-  Eigen::MatrixXd turned;  ///< the angle at the nodes
-  Eigen::MatrixXd bent;    ///< the curvature there
+  Eigen::MatrixXd coefficients;
   Eigen::Matrix<double, 2, 4> force;
+  Eigen::MatrixXd turned;  ///< the angle at the nodes
 };
 /// Not finite at a fold.
 Changes changesOf(const Equations& equations);
 
-/// How the curve of an equilibrium at its nodes changes with its grips, in lengths and rad: rows x and y of
-/// all nodes, then the angles; columns the end's x and y, then the angles of start and end. The start's
-/// places follow, since a blade that is moved as a whole keeps its shape.
-Eigen::MatrixXd movesOf(const Equations& equations, const Changes& changes);
+/// How the curve of an equilibrium at places of [0, 1] changes with its grips, in lengths and rad: rows x and
+/// y of all places, then the angles; columns as those of `Changes`. The start's places follow, since a blade
+/// that is moved as a whole keeps its shape.
+Eigen::MatrixXd movesOf(const Equations& equations, const Changes& changes, const Eigen::ArrayXd& places);
 
-/// A margin and its derivative, columns as those of `movesOf`.
+/// A margin and its derivative, columns as those of `Changes`.
 struct MarginSlope {
   double margin = 1;
   Eigen::RowVector4d byGrips = Eigen::RowVector4d::Zero();

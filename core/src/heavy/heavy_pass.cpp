@@ -25,7 +25,6 @@ HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double
 
 std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& held) {
   constexpr int kSteps = 8;
-  constexpr double kOneBranch = 0.2;       // of Newton's steps: both ends of a part are on one branch
   constexpr double kLeastPart = 1.0 / 32;  // of the way
   HeavyBlade::Numbers next = pass.numbers();
   const double length = next.length, squared = length * length;
@@ -45,7 +44,7 @@ std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& hel
   while (reached < 1) {
     const double aim = std::min(1.0, reached + part);
     std::optional<Shape> there = heavy::settle(way.at(aim), shape, kSteps, &seen);
-    if (there && seen.contraction <= kOneBranch) {
+    if (there) {
       shape = std::move(*there);
       reached = aim;
     } else if ((part /= 2) < kLeastPart) {

@@ -151,6 +151,16 @@ bool isStable(const Way& way, const WayPoint& point) {
 
 }  // namespace
 
+std::optional<Followed> atOnce(const Way& way, const Shape& start) {
+  constexpr int kSteps = 8;
+  Settling seen;
+  std::optional<Shape> there = settle(way.to, start, kSteps, &seen);
+  if (!there) return {};
+  auto rests = std::make_shared<const Equations>(modesOf(there->count()), way.to, *there);
+  if (!heavy::isStable(*rests)) return {};
+  return Followed{{1, std::move(*there)}, false, std::move(rests)};
+}
+
 std::optional<Followed> follow(const Way& way, const Shape& start) {
   // Of the finest modes a single step may cost more than a caller has left: then none is begun.
   if (detail::workExhausted()) return {};

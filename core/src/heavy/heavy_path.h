@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "heavy/heavy_equations.h"
@@ -57,7 +58,12 @@ class Path {
 struct Followed {
   WayPoint end;          ///< at part 1, or the last stable one
   bool snapped = false;  ///< the blade is stable up to there and not beyond
+  std::shared_ptr<const Equations> rests = nullptr;  ///< there, where they were asked for its stability
 };
+
+/// The end of the way of a blade at rest where Newton's steps shrink so fast that all of it lies on one
+/// branch, and the blade is stable there, too. Empty elsewhere, which tells nothing.
+std::optional<Followed> atOnce(const Way& way, const Shape& start);
 
 /// Follows a stable blade along the way as long as it is stable. A blade that is not stable to begin with
 /// snaps at once. Empty if the path is lost or takes too long, which is not silent: nothing is said then.

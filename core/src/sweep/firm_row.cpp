@@ -4,6 +4,7 @@
 #include "bw/core/sweep/firm_row.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -146,17 +147,20 @@ bool isFirm(const Sweep& row, std::size_t i) {
 
 namespace sweep {
 
-bool keepsUp(const Sweep& next, const Sweep& before) {
-  for (std::size_t i = 0; i < next.fits.size(); ++i) {
+bool keepsUp(const Sweep& next, const Sweep& before, const RunContext& context) {
+  std::atomic<bool> all = true;
+  const Result<void> ok = parallelFor(context, int(next.fits.size()), [&](int k) {
+    const auto i = std::size_t(k);
     const StationFit &is = next.fits[i], &was = before.fits[i];
-    if (is.snapsAt || !is.unknown.empty() || is.fit.status == FitStatus::infeasible) {
-      const bool stood = !was.snapsAt && was.unknown.empty() && was.fit.status != FitStatus::infeasible;
-      if (stood) return false;
-    }
-    if (is.fit.hausdorff > std::max(was.fit.hausdorff, kWithin * next.request.tolerance)) return false;
-    if (!isFirm(next, i) && isFirm(before, i)) return false;
-  }
-  return true;
+    const auto stands = [](const StationFit& fit) {
+      return !fit.snapsAt && fit.unknown.empty() && fit.fit.status != FitStatus::infeasible;
+    };
+    if ((stands(was) && !stands(is)) ||
+        is.fit.hausdorff > std::max(was.fit.hausdorff, kWithin * next.request.tolerance) ||
+        (all && !isFirm(next, i) && isFirm(before, i)))
+      all = false;
+  });
+  return ok && all;
 }
 
 }  // namespace sweep
@@ -171,8 +175,9 @@ Result<FirmRow> firmRow(const Sweep& row, const RunContext& context, Along along
   RowCertainty known = firm.certainty;
   // False where it comes to nothing.
   const auto take = [&](Sweep next) -> Result<bool> {
+    const bool keeps = sweep::keepsUp(next, row, context);
     if (context.stopped()) return stoppedError();
-    if (!sweep::keepsUp(next, row)) return false;
+    if (!keeps) return false;
     Result<RowCertainty> own = certaintyOf(next, context, along);
     if (!own) return tl::unexpected<Error>(own.error());
     known = std::move(*own);

@@ -283,6 +283,7 @@ void RowProblem::PrepareForEvaluation(bool slopes, bool isNew) {
   if (isNew && !first_) {
     if (stands_) {
       stood_.clear();
+      stood_.reserve(stations_.size());
       for (const Station* station : stations_) stood_.push_back(*station);
     }
     stands_ = false;

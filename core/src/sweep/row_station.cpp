@@ -433,7 +433,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
 auto Row::marginAt(const Station& station, int which, double below, const HeavySlopes* by) const -> Margin {
   if (station.branch) {
     std::optional<HeavySlopes> own;
-    if (!by) by = &own.emplace(station.branch->blade());
+    if (!by) by = &own.emplace(*station.branch);
     const HeavyMarginSlope slope = which == 0 ? by->margin(below) : by->outOfPlane(below);
     return {slope.margin, slope.byGrips * station.byGrips};
   }
@@ -576,7 +576,7 @@ void Row::look(Station& station, bool slopes) const {
       if (k < kSteps) step(station, states);
     }
     if (slopes) {
-      by.emplace(blade);
+      by.emplace(*station.branch);
       const Result<HeavyDerivatives> moved = by->at(station.feet);
       if (!moved) return;
       for (std::size_t k = 0; k < kStationPlaces; ++k)

@@ -18,6 +18,10 @@
 
 namespace bw {
 
+namespace heavy {
+class Equations;
+}
+
 /// A blade with weight, held at both ends, which lies in the plane of its grips.
 struct HeavyProblem {
   ClampedProblem grips;                              ///< both tangents held
@@ -181,8 +185,10 @@ class HeavyBranch {
   HeavyBlade blade() const;
 
  private:
+  friend class HeavySlopes;
   explicit HeavyBranch(HeavyBlade::Numbers numbers) : numbers_(std::move(numbers)) {}
   HeavyBlade::Numbers numbers_;
+  std::shared_ptr<const heavy::Equations> rests_;  ///< that it stands by; null where these were not asked
   Eigen::Vector2d end_ = Eigen::Vector2d::Zero();
   double stiffness_ = 1;
 };
@@ -214,6 +220,8 @@ HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade,
 class HeavySlopes {
  public:
   explicit HeavySlopes(const HeavyBlade& blade);
+  /// Of a branch where it stands.
+  explicit HeavySlopes(const HeavyBranch& branch);
   HeavySlopes(HeavySlopes&& other) noexcept;
   HeavySlopes& operator=(HeavySlopes&& other) noexcept;
   ~HeavySlopes();
