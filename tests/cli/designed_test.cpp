@@ -208,6 +208,35 @@ TEST(Designed, IsHandedOverWithItsReportAndPictures) {
   EXPECT_TRUE(listed) << report["files"];
 }
 
+TEST(Designed, TheReportTellsWhatIsExceededAndWhatItWasMadeWith) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "ripple-along");
+  json root = json::parse(slurp(design));
+  root["cuts"][0]["blade_length"] = 850;
+  for (json& variable : root["variables"])
+    if (variable["name"] == "height") variable["min"] = 0;
+  std::ofstream(design) << root;
+  const auto page = [&](const std::vector<std::string>& set, const char* out) {
+    std::vector<std::string> words = {"design", design, "--handover", "--out", folder / out};
+    words.insert(words.end(), set.begin(), set.end());
+    const Finished run = blade(words);
+    return std::pair(run.status, slurp(folder / (out + std::string("/report.html"))));
+  };
+  const auto [status, html] = page({}, "high");
+  EXPECT_EQ(status, 0);
+  const std::string own = "<td>Length of the blade between the grips</td><td>850 mm</td>";
+  EXPECT_NE(html.find(own), std::string::npos);
+  EXPECT_NE(html.find("over the face that its block lies on"), std::string::npos);
+  EXPECT_EQ(html.find("exceeded"), std::string::npos);
+  EXPECT_EQ(json::parse(slurp(folder / "high/report.json"))["strips"][0]["blade_length"], 850);
+  const auto [lowStatus, low] = page({"--set", "height=90", "--set", "rise=40"}, "low");
+  EXPECT_EQ(lowStatus, 1);
+  EXPECT_NE(low.find("A stated limit is exceeded"), std::string::npos);
+  const std::size_t floor = low.find("over the face that its block lies on");
+  ASSERT_NE(floor, std::string::npos);
+  EXPECT_NE(low.substr(floor, 200).find("exceeded"), std::string::npos) << low.substr(floor, 200);
+}
+
 TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
   const Folder folder;
   const std::string design = exampleIn(folder, "bump"), keys = folder / "keys.bladewright";

@@ -223,6 +223,22 @@ TEST(BlockDrawing, SaysThatThereIsNoPart) {
   expectHas(textOf(drawn(of)[0]), "Nothing is left");
 }
 
+TEST(BlockDrawing, IsMarkedWhereItMustNotBeCut) {
+  DrawnDesign of = design(5, 2);
+  of.blocks[0].whyNoCut = "a grip passes the block at 36.3 mm, less than the clearance of 50 mm";
+  const std::vector<std::vector<Written>> pages = drawn(of);
+  ASSERT_EQ(pages.size(), 4u);
+  for (std::size_t page = 0; page < pages.size(); ++page) {
+    const std::string text = textOf(pages[page]);
+    const bool first = page < 2;
+    EXPECT_EQ(text.find("DO NOT CUT") != std::string::npos, page == 0) << page;
+    EXPECT_EQ(text.find("Do not cut: block-1") != std::string::npos, first) << page;
+    EXPECT_EQ(text.find("Not as designed: a grip passes the block at 36.3 mm") != std::string::npos, first);
+    EXPECT_EQ(text.find("Mark the corner") != std::string::npos, !first) << page;
+    expectLegible(pages[page]);
+  }
+}
+
 TEST(BlockDrawing, BearsNamesOfAnyLettersAndLength) {
   for (const std::string& name :
        {std::string("Dach f\u00fcr K\u00f6ln \u20ac"), std::string("\u03a3\u03c4\u03ad\u03b3\u03b7"),

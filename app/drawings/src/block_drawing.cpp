@@ -40,6 +40,8 @@ constexpr double kMarkLeg = 5;  // mm on the page
 const Pen kVisible{0.35, 0, {}}, kHidden{0.18, 0.35, {2, 2}}, kBefore{0.18, 0.45, {7, 2, 1, 2, 1, 2}},
     kThin{0.15, 0, {}}, kBlades{0.1, 0.6, {}};
 
+constexpr std::array<double, 3> kForbidden = {0.79, 0.16, 0.16};  // red, of what must not be done
+
 /// The scales of a workshop: lengths of the foam over those on the page.
 constexpr std::array<double, 19> kScales = {0.1, 0.2, 0.5, 1,  2,  2.5, 5,   10,  15,  20,
                                             25,  30,  40,  50, 75, 100, 200, 500, 1000};
@@ -387,7 +389,8 @@ void drawFoot(PdfPages& pages, const DrawnDesign& design, const DrawnBlock& bloc
       pages.line({{x, sheet.low.y()}, {x, kAboveFoot}}, {0.25, 0, {}});
     }
     ++column;
-    const Letters letters{11, true};
+    Letters letters{11, true};
+    if (column == 1 && !block.whyNoCut.empty()) letters.colour = kForbidden;
     y = kAboveFoot - 5.2;
     pages.text({x + kEdge, y}, pages.fitted(heading, letters, kWidths[column - 1] - 2 * kEdge), letters);
     y -= 0.5;
@@ -397,11 +400,14 @@ void drawFoot(PdfPages& pages, const DrawnDesign& design, const DrawnBlock& bloc
     for (const std::string& line : pages.wrapped(words, letters, kWidths[column - 1] - 2 * kEdge, most))
       pages.text({x + kEdge, y -= kLine}, line, letters);
   };
-  begin("Label: " + block.id);
+  begin((block.whyNoCut.empty() ? "Label: " : "Do not cut: ") + block.id);
   say("Design: " + (design.name.empty() ? std::string("without a name") : design.name));
-  say("Mark the corner " + mark.place() + " before the first cut: a filled triangle on the " +
-          (mark.far[1] ? "back" : "front") + " face, open ones on the other two.",
-      2);
+  if (block.whyNoCut.empty())
+    say("Mark the corner " + mark.place() + " before the first cut: a filled triangle on the " +
+            (mark.far[1] ? "back" : "front") + " face, open ones on the other two.",
+        2);
+  else
+    say("Not as designed: " + block.whyNoCut, 2);
   say("Bladewright, run " + design.run);
 
   begin(sizeText(block.placed.size));
@@ -474,6 +480,9 @@ void drawFirstPage(PdfPages& pages, const DrawnDesign& design, const DrawnBlock&
     pages.line({{column, high - height}, {sheet.high.x(), high - height}}, {0.15, 0, {}});
   }
   drawFoot(pages, design, block, prepared.mark, scale, number);
+  if (!block.whyNoCut.empty())
+    pages.text({sheet.low.x() + 2, sheet.high.y() - 6}, "DO NOT CUT: see the label below",
+               {14, true, Align::left, false, 0, kForbidden});
 }
 
 void drawFurtherPage(PdfPages& pages, const DrawnDesign& design, const DrawnBlock& block,

@@ -5,6 +5,7 @@
 
 #include "block_layout.h"
 #include "bw/drawings/block_drawing.h"
+#include "bw/words/findings.h"
 #include "make_files.h"
 #include "program_unit.h"
 #include "workshop.h"
@@ -55,9 +56,20 @@ std::string reasonOf(const BlockEvaluation& block) {
   return "no reason was told";
 }
 
-drawings::DrawnBlock drawnBlock(const BlockEvaluation& block) {
+/// The first error of a block, or of all, and how many more there are.
+std::string whyNoCut(const BlockEvaluation& block, Findings findings) {
+  std::erase_if(findings, [&](const Finding& finding) {
+    return !finding.where.block.empty() && finding.where.block != block.id;
+  });
+  const std::vector<std::string> errors = words::errorsOf(findings, words::Reader::window);
+  if (errors.empty()) return {};
+  return (errors.size() > 1 ? "1 of " + std::to_string(errors.size()) + " errors: " : "") + errors.front();
+}
+
+drawings::DrawnBlock drawnBlock(const BlockEvaluation& block, const Findings& findings) {
   drawings::DrawnBlock out;
   out.id = block.id;
+  out.whyNoCut = whyNoCut(block, findings);
   out.placed = block.part.request.placed;
   if (const std::optional<geometry::Part>& solid = block.part.value->solid)
     out.part = {&block.part.value->mesh, solid->blockVolume(), solid->volume(), solid->pieces()};
@@ -80,10 +92,11 @@ Result<std::string> drawingsOf(const Evaluation& e, const std::string& run,
                                const RunContext& context) {
   drawings::DrawnDesign design{e.design.name, run, {}};
   std::vector<const BlockEvaluation*> blocks;
+  const Findings findings = e.findings();
   for (const BlockEvaluation& block : e.blocks) {
     if (!wanted.hasBlock(block.id)) continue;
     blocks.push_back(&block);
-    design.blocks.push_back(drawnBlock(block));
+    design.blocks.push_back(drawnBlock(block, findings));
   }
   for (const Strip& strip : stripsOf(e)) {
     if (!wanted.hasBlock(strip.block->id)) continue;

@@ -362,7 +362,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
         for (std::size_t i = 0; i < result->size(); ++i) stations.push_back(stationJson(result->station(i)));
         strips.push_back(report["strips"].size());
         ordered_json strip = {{"index", report["strips"].size()}, {"block", block.id}, {"cut", each.id}};
-        if (e.blocks.size() > 1 || block.cuts.size() > 1) {
+        const bool ownLength = bool(std::ranges::find(design.cuts, each.id, &Cut::id)->length);
+        if (e.blocks.size() > 1 || block.cuts.size() > 1 || ownLength) {
           strip["blade_length"] = result->sweep.request.blade.length;
           const BladeLengths* sought = each.lengths.value.get();
           if (sought && sought->best) strip["best_length"] = *sought->best;

@@ -14,6 +14,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/produce.h"
+#include "bw/pipeline/requests.h"
 #include "bw/robotio/dialects.h"
 #include "make_files.h"
 
@@ -83,6 +84,7 @@ void limits(Page& page, const Evaluation& e) {
   const SweepSummary& s = all.summary;
   const Design& design = e.design;
   double clearance = 1e300, margin = 1e300, uncoveredLimit = 1e300;
+  std::optional<double> lowest;
   std::map<Rest, int> rests;
   for (const Strip& strip : stripsOf(e)) {
     uncoveredLimit = std::min(uncoveredLimit, strip.cut->coverage.value->limit);
@@ -90,8 +92,13 @@ void limits(Page& page, const Evaluation& e) {
     for (const StationCheck& station : strip.cut->check.value->stations) {
       clearance = std::min(clearance, station.clearance);
       margin = std::min(margin, station.stabilityMargin);
+      if (strip.cut->check.request.floor) lowest = std::min(lowest.value_or(1e300), station.aboveBottom);
     }
   }
+  // Between the stations, on the way in and on the way out it may come lower.
+  for (const Finding& finding : e.findings())
+    if (const auto* low = std::get_if<NearBottom>(&finding.cause); low && lowest)
+      lowest = std::min(*lowest, low->height);
   page.heading("Limits");
   page.begin({"Number", "Measured", "Limit", ""});
   page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
@@ -128,6 +135,9 @@ void limits(Page& page, const Evaluation& e) {
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
   page.checked("Smallest distance of a grip from the block", mm(clearance),
                "at least " + mm(design.process.clearance), clearance >= design.process.clearance);
+  if (lowest)
+    page.checked("Lowest point of the blade over the face that its block lies on", mm(*lowest),
+                 "at least " + mm(design.process.floor), *lowest >= design.process.floor);
   page.checked("Smallest margin against snapping", fixedText(margin, 2),
                "at least " + fixedText(design.process.margin, 2), margin >= design.process.margin);
   page.heading("Numbers");
@@ -151,6 +161,20 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Time with entry and exit, too", fixedText(all.runTime, 0) + " s"});
 }
 
+const char* extensionText(Extension extend) {
+  switch (extend) {
+    case Extension::none:
+      return "the section alone: the blade that lies nearest to it, continued";
+    case Extension::surface:
+      return "the surface beyond the block as far as it goes, then straight on";
+    case Extension::straight:
+      return "the tangents at the ends of the section";
+    case Extension::curvature:
+      return "the circles that bend as the section does at its ends";
+  }
+  return "";
+}
+
 void parameters(Page& page, const Evaluation& e) {
   const Design& design = e.design;
   page.heading("Parameters");
@@ -172,8 +196,18 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Faces (counted from 0)", faces});
     page.row({"Area of the target", shortText(e.cut().target.value->area() * 1e-6, 4) + " m²"});
   }
-  page.row({"Blade", (design.blade.title.empty() ? design.blade.name : design.blade.title) + ", " +
-                         shortText(design.blade.length, 6) + " mm between the grips"});
+  page.row({"Blade", design.blade.title.empty() ? design.blade.name : design.blade.title});
+  std::map<double, std::vector<std::string>> lengths;
+  for (const BlockEvaluation& part : e.blocks)
+    for (const CutEvaluation& cut : part.cuts)
+      lengths[bladeOf(design, *std::ranges::find(design.cuts, cut.id, &Cut::id)).length].push_back(
+          (e.blocks.size() > 1 ? part.id + " " : "") + cut.id);
+  for (const auto& [length, cuts] : lengths) {
+    std::string of;
+    for (const std::string& cut : cuts) of += (of.empty() ? " of " : ", ") + cut;
+    page.row({"Length of the blade between the grips" + (lengths.size() > 1 ? of : ""),
+              shortText(length, 6) + " mm"});
+  }
   page.row({"Smallest radius that the blade bears", mm(design.blade.minRadius())});
   for (const BlockEvaluation& part : e.blocks) {
     const CutEvaluation& cut = part.cuts.front();
@@ -220,6 +254,12 @@ void parameters(Page& page, const Evaluation& e) {
   } else if (design.process.kerf > 0)
     page.row({"Kerf", mm(design.process.kerf) + " (programs carry the middle of the blade)"});
   page.row({"Clearance", mm(design.process.clearance)});
+  page.row({"Floor: the blade stays above the face that its block lies on by", mm(design.process.floor)});
+  page.row({"What holds the grips", extensionText(design.process.extend)});
+  page.row({"Weight of the blade", design.process.weight ? "counted, up is " + direction(design.process.up)
+                                                         : "left out"});
+  page.row({"A grip may be off by", mm(design.process.gripError) + " and turned by " +
+                                        shortText(design.process.gripAngle, 4) + "°"});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});
   page.row({"Robot cell", design.output.cell});
 }

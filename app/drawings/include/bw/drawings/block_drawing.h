@@ -51,6 +51,7 @@ struct DrawnBlock {
   Box placed;                                    ///< the block before it is turned for any cut
   std::optional<DrawnPart> part = std::nullopt;  ///< empty where it could not be made, and
   std::string whyNoPart = {};                    ///< a clause that tells why
+  std::string whyNoCut = {};                     ///< a sentence: why it must not be cut so; empty if it may
   std::vector<Polyline> creases = {};            ///< the edges that cuts leave
   std::vector<DrawnCut> cuts = {};
 };
@@ -63,7 +64,8 @@ struct DrawnDesign {
 };
 
 /// The drawings as PDF, A4 landscape: of each block one page with views in first-angle projection, dimensions
-/// and the first cuts, and as many more as its further cuts need. Texts beyond the letters of western Europe
+/// and the first cuts, and as many more as its further cuts need. One that must not be cut so is marked on
+/// each page, with the reason. Texts beyond the letters of western Europe
 /// (code page 1252) are written with question marks, long ones have an ellipsis in their middle. The file
 /// carries no date, so that equal input gives equal bytes, for any number of threads. Some 0.05 s a block.
 /// Errors: no block, one without size or without cuts, or numbers that are not finite (`badInput`);
