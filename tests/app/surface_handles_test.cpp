@@ -7,6 +7,7 @@
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "handles_fixture.h"
+#include "workflow/export_blocks.h"
 
 namespace bw::app {
 namespace {
@@ -41,6 +42,7 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   ASSERT_TRUE(followed());
   EXPECT_FALSE(bench().stale());
   EXPECT_NE(bench().row(), nullptr);
+  EXPECT_EQ(standingOf(bench(), bench().block().id).word, "being changed") << "not all limits are known";
   // What is drawn is the sketch: its surface, its blades.
   const auto* cut = view().content().first<scene::CutSurface>();
   ASSERT_TRUE(cut && bench().sketchedCut());
@@ -64,12 +66,44 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
   EXPECT_FALSE(bench().sketch());
+  EXPECT_EQ(standingOf(bench(), bench().block().id).word, "certain");
   EXPECT_EQ(view().content().first<scene::CutSurface>()->grid.points, bench().sweep()->analysis.cut.points);
   picture("handle-released");
   // One step back for the whole pull.
   bench().document().undoStack().undo();
   EXPECT_EQ(height(2, 1), before);
   EXPECT_FALSE(bench().document().undoStack().canUndo());
+}
+
+TEST_F(SurfaceHandlesTest, BlocksTellWhatIsWrongAsTheHandHasThem) {
+  open("three-block-wall");
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 1e-4; });
+  ASSERT_TRUE(settle());
+  const auto places = handles().points;
+  const auto left = std::ranges::min_element(places, {}, [](const Eigen::Vector3d& p) { return p.x(); });
+  const QPoint from = hover(int(left - places.begin()));
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 3; ++i) QTest::mouseMove(&view(), from - QPoint(0, 3 * i));
+  ASSERT_TRUE(followed());
+  // Nothing is within so little, and grips give way for it.
+  const BlockStanding standing = standingOf(bench(), bench().shown()->blocks[0].id);
+  EXPECT_STREQ(standing.icon, "error");
+  EXPECT_TRUE(standing.word.startsWith("off by ") || standing.word.startsWith("grip at "))
+      << standing.word.toStdString();
+  picture("blocks-while-pulled");
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from);
+}
+
+TEST_F(SurfaceHandlesTest, ThePageOfABlockGivesWayToThatOfAHandle) {
+  open("single-block");
+  bench().select({Selection::Kind::block, -1});
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, hover(kPole));
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::surface);
+  // Numbers of the result are watched meanwhile.
+  bench().select({Selection::Kind::result, -1});
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, hover(kPole + 1));
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::result);
 }
 
 TEST_F(SurfaceHandlesTest, TheSectionIsThatOfTheHandle) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/sweep/row_sketch.h"
 
 #include <algorithm>
@@ -115,7 +116,8 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   sketch.speed.resize(n);
   sketch.crosses.resize(n);
   struct Seen {
-    double angle = 0, speedRatio = 1, curvature = 0, above = std::numeric_limits<double>::infinity();
+    double angle = 0, speedRatio = 1, curvature = 0, above = std::numeric_limits<double>::infinity(),
+           clearance = above;
   };
   std::vector<Seen> seen(n);
   std::array<std::optional<Error>, kChunks> errors;
@@ -163,6 +165,8 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     sketch.speed[i] = {inFoam.speedMin, inFoam.speedMax};
     seen[i] = {inFoam.angleMax, inFoam.relativeMin, pose.maxCurvature()};
     if (request.floor) seen[i].above = lowestPlace(row.block, pose).height;
+    seen[i].clearance =
+        std::min(boxDistance(row.block, pose.leftPoint()), boxDistance(row.block, pose.rightPoint()));
     return {};
   };
   Result<void> ok = parallelFor(context, kChunks, [&](int chunk) {
@@ -190,9 +194,11 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     sketch.speedRatioMin = std::min(sketch.speedRatioMin, seen[i].speedRatio);
     sharpest = std::max(sharpest, seen[i].curvature);
     sketch.aboveBottom = std::min(sketch.aboveBottom, seen[i].above);
+    sketch.clearance = std::min(sketch.clearance, seen[i].clearance);
   }
   sketch.minRadius = sharpest > 0 ? 1 / sharpest : 0;
   sketch.nearBottom = request.floor && sketch.aboveBottom < *request.floor;
+  sketch.nearBlock = sketch.clearance < request.clearance;
   return sketch;
 }
 

@@ -84,7 +84,8 @@ void BlockPanel::follow(const Change& change) {
   // Heights tell the order of cuts.
   if (design || chosen || change.any(Aspect::result)) cuts_->refresh();
   // What nobody sees waits.
-  if (!isVisible() || !(design || chosen || change.any(Aspect::state | Aspect::result))) return;
+  if (!isVisible() || !(design || chosen || change.any(Aspect::state | Aspect::result | Aspect::sketch)))
+    return;
   plan_->refresh();
   refreshState();
 }

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "bw/core/text/number_text.h"
@@ -42,7 +43,7 @@ std::vector<ComparedNumber> comparedNumbers(const pipeline::Evaluation* evaluati
     numbers[5].text = QString::fromStdString(shortText(*foam, 3)) + " m³";
   if (!evaluation->complete()) return numbers;
   const pipeline::Overall all = pipeline::overallOf(*evaluation);
-  double margin = 1;
+  double margin = std::numeric_limits<double>::infinity();  // of a pulled blade it is above 1
   SweepLimits broken;
   for (const pipeline::BlockEvaluation& block : evaluation->blocks)
     for (const pipeline::CutEvaluation& cut : block.cuts) {

@@ -175,6 +175,9 @@ void MainWindow::makeWorkspace() {
   const auto showCurve = [this] {
     const std::optional<DesignedSurface>& surface = bench_.source().surface;
     const std::optional<int> curve = surface ? curveOf(*surface, handles_->chosen()) : std::nullopt;
+    // Numbers of a result are watched while something is pulled, those of a block are not.
+    if (curve && bench_.selection().kind == Selection::Kind::block)
+      bench_.select({Selection::Kind::surface, -1});
     tree_->showCurve(curve);
     inspector_->showCurve(curve);
   };
@@ -370,6 +373,8 @@ void MainWindow::summarise(const pipeline::CutSketch& sketch) {
   if (unknown > 0) parts.push_back({tr("%1 not known").arg(unknown), 3});
   if (look.nearBottom)
     parts.push_back({tr("%1 above the bottom").arg(lengthText(look.aboveBottom)), 3, true});
+  if (look.nearBlock)
+    parts.push_back({tr("a grip %1 from the block").arg(lengthText(look.clearance)), 3, true});
   if (lost + unknown + crossing == 0) parts.push_back({tr("all rest"), 3});
   summary_->setParts(parts, false);
 }

@@ -34,6 +34,49 @@ Rests restsOf(const pipeline::BlockEvaluation& block) {
   return rests;
 }
 
+/// What a sketch of a cut shows to be wrong at a station, the worst of it first; empty where nothing is.
+QString wrongIn(const pipeline::CutSketch& cut, const Design& design) {
+  const auto tr = [](const char* text) { return ExportBlocks::tr(text); };
+  const RowSketch& look = *cut.look;
+  const double radius = cut.sweep->request.blade.minRadius();
+  const auto lost = std::ranges::count(look.rest, Rest::lost);
+  if (std::ranges::any_of(look.crosses, [](char crosses) { return crosses != 0; })) return tr("crossed");
+  if (look.minRadius > 0 && look.minRadius < radius) return tr("too tight");
+  if (lost > 0) return tr("%1 lost").arg(lost);
+  if (look.nearBlock) return tr("grip at %1").arg(lengthText(look.clearance));
+  if (look.nearBottom) return tr("too low");
+  if (look.deviationMax > design.process.tolerance) return tr("off by %1").arg(lengthText(look.deviationMax));
+  return {};
+}
+
+/// True if a sketch has the blades of a result.
+bool isAsBefore(const pipeline::CutSketch& cut, const pipeline::CutEvaluation& before) {
+  const Sweep& was = *before.sweep.value;
+  return std::ranges::equal(cut.sweep->poses, was.poses, [](const BladePose& a, const BladePose& b) {
+    return a.leftPoint() == b.leftPoint() && a.rightPoint() == b.rightPoint();
+  });
+}
+
+/// How a block that a hand changes stands; empty where the hand does not reach it.
+std::optional<BlockStanding> pulledStanding(const Workbench& bench, const pipeline::BlockEvaluation& block) {
+  const auto tr = [](const char* text) { return ExportBlocks::tr(text); };
+  const pipeline::Sketch* sketch = bench.sketch();
+  if (!sketch) return {};
+  bool moved = false;
+  QString wrong;
+  for (const pipeline::CutEvaluation& cut : block.cuts) {
+    const pipeline::CutSketch* drawn = sketch->find(cut.id);
+    if (!drawn || !cut.result() || isAsBefore(*drawn, cut)) continue;
+    moved = true;
+    if (wrong.isEmpty()) wrong = wrongIn(*drawn, sketch->design);
+  }
+  if (!moved) return {};
+  if (!wrong.isEmpty())
+    return BlockStanding{"error", &Colours::error, wrong, tr("At a station, as the hand has it now"), {}};
+  return BlockStanding{"stale", &Colours::secondary, tr("being changed"),
+                       tr("Nothing is wrong at its stations; all limits are known once the hand rests"), {}};
+}
+
 BlockStanding standingOf(const Workbench& bench, const std::string& id, const Findings& findings) {
   BlockStanding standing;
   const auto tr = [](const char* text) { return ExportBlocks::tr(text); };
@@ -57,6 +100,7 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id, const Fi
     }
     return standing;
   }
+  if (std::optional<BlockStanding> pulled = pulledStanding(bench, *found)) return *pulled;
   double time = 0;
   int stations = 0;
   bool whole = true;
@@ -201,10 +245,11 @@ void ExportBlocks::refresh() {
   }
   const pipeline::Wanted wanted = bench_.wanted();
   const bool any = bench_.anyBlockWanted();
+  const Findings findings = findingsOf(bench_);
   for (Line& line : lines_) {
     line.wanted->setChecked(any && wanted.hasBlock(line.block));
     line.wanted->setEnabled(built_.size() > 1 || !any);
-    BlockStanding now = standingOf(bench_, line.block);
+    BlockStanding now = standingOf(bench_, line.block, findings);
     if (now == line.shown) continue;
     line.shown = std::move(now);
     paint(line);

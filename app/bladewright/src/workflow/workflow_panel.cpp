@@ -196,10 +196,8 @@ void WorkflowPanel::follow(const Change& change) {
     process_->refreshMargins();
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
-  if (any(Aspect::state)) {
-    input_->refreshState();
-    output_->refreshBlocks();
-  }
+  if (any(Aspect::state)) input_->refreshState();
+  if (any(Aspect::state | Aspect::sketch)) output_->refreshBlocks();
 }
 
 void WorkflowPanel::refreshStates() {

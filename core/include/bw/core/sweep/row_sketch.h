@@ -38,6 +38,8 @@ struct RowSketch {
   /// mm of the lowest point of all blades over the face the block lies on; only where a floor is asked for.
   double aboveBottom = std::numeric_limits<double>::infinity();
   bool nearBottom = false;  ///< nearer to that face than the floor
+  double clearance = std::numeric_limits<double>::infinity();  ///< mm, the least of a grip from the block
+  bool nearBlock = false;                                      ///< less than asked for
 };
 
 /// Keeps what is known of the shapes beside those of a row while it moves: each other shape at rest stays on
