@@ -240,6 +240,20 @@ TEST_F(WindowTest, LengthsThatServeStandBelowTheLength) {
   bench().document().undoStack().undo();
   EXPECT_FALSE(bench().design().blade.autoLength);
   EXPECT_NEAR(bench().design().blade.length, taken, 5);
+  // What is too short says so beside the lengths that serve; those of another design are none.
+  const auto told = [&](const QString& words) {
+    return std::ranges::any_of(window().workflow().findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text().contains(words); });
+  };
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().failed());
+  EXPECT_TRUE(told("stations tried, best"));
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 40; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().failed());
+  EXPECT_FALSE(told("stations tried, best"));
+  EXPECT_TRUE(told("not known yet"));
 }
 
 TEST_F(WindowTest, TakesAClearanceAndItsBladeInOneStep) {

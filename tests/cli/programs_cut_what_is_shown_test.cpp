@@ -190,7 +190,7 @@ TEST(FlatSurfaces, ThatRiseToAnArchAreCutByArches) {
   json design = json::parse(slurp(file));
   design.erase("variables");
   design["sources"][0]["surface"]["formula"] = "250 + 10*sin(pi*x/600)*max(0, y - 400)/400";
-  design["blade"] = {{"preset", "steel-tube-3-2.5"}, {"length", 790}};
+  design["blade"] = {{"preset", "steel-tube-3-2.5"}, {"length", 780}};
   const Finished made =
       blade({"design", folder.write("rising.bladewright", design.dump()), "--out", folder / "out"});
   EXPECT_EQ(made.status, 0) << made.err;

@@ -16,6 +16,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/firm_row.h"
+#include "bw/core/sweep/grips_off.h"
 #include "bw/core/sweep/live_row.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -130,6 +131,67 @@ TEST(FirmRow, ABladeBearsThePushBetweenItsStationsToo) {
   ASSERT_TRUE(firm && firm->row);
   EXPECT_GE(leastBetween(*firm->row, firm->certainty), settings.barrier);
   EXPECT_LE(*firm->certainty.leastBarrier(), leastBetween(*firm->row, firm->certainty) + 1e-6);
+}
+
+/// True if a blade snaps somewhere around with one of its grips off.
+bool snapsAround(const Sweep& row, std::size_t i, const CheckRequest& request) {
+  constexpr int kWays = 48;
+  const std::optional<HeavyBranch> own = sweep::standing(row, row.poses[i]);
+  if (!own) return true;
+  for (int k = 0; k < kWays; ++k)
+    for (const bool start : {true, false})
+      for (const double turned : {-request.gripAngle, request.gripAngle}) {
+        HeavyProblem off = holdOf(own->blade(), row.request.blade.flexuralRigidity());
+        const double way = 2 * kPi * k / kWays;
+        (start ? off.grips.start : off.grips.end) +=
+            request.gripError * Eigen::Vector2d(std::cos(way), std::sin(way));
+        *(start ? off.grips.startAngle : off.grips.endAngle) += turned;
+        off.grips.turning.reset();
+        HeavyBranch there = *own;
+        const Result<ClampedBranch::Move> move = there.moveTo(off);
+        if (move && move->snapped) return true;
+      }
+  return false;
+}
+
+TEST(FirmRow, WhatAGripThatIsOffLetsSnapIsTold) {
+  const test::RowSettings settings = flat(760, 1);
+  const Sweep row = rowOf(settings, kTwoWays);
+  const Result<FirmRow> firm = firmRow(row, {});
+  ASSERT_TRUE(firm && firm->row);
+  RowRest rest{std::vector<Rest>(row.poses.size(), Rest::held)};
+  int told = 0, quiet = 0;
+  for (const double error : {0.0, 0.02, 0.1, 0.5, 1.0}) {
+    CheckRequest request;
+    request.gripError = error;
+    request.gripAngle = 0.4 * error * kDegree;
+    const Result<Findings> findings = heldWithGripsOff(*firm->row, firm->certainty, rest, request, {});
+    ASSERT_TRUE(findings);
+    for (std::size_t i = 0; i < row.poses.size(); ++i) {
+      const bool snaps = snapsAround(*firm->row, i, request);
+      const auto found = std::ranges::find_if(*findings, [&](const Finding& finding) {
+        const StationRange& at = *finding.where.stations;
+        return int(i) >= at.first && int(i) <= at.last;
+      });
+      if (found == findings->end()) {
+        EXPECT_FALSE(snaps) << i << " " << error;
+        ++quiet;
+        continue;
+      }
+      ++told;
+      const HeldByLittle& cause = std::get<HeldByLittle>(found->cause);
+      EXPECT_EQ(found->severity, Severity::warning);
+      EXPECT_LT(cause.barrier, kLeastBarrier);
+      if (cause.barrier == 0 && found->where.stations->worst == int(i)) {
+        EXPECT_TRUE(snaps) << i << " " << error;
+      }
+    }
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(quiet, 0);
+  // What is certain, or lost anyway, is not told of.
+  std::ranges::fill(rest.stations, Rest::certain);
+  EXPECT_TRUE(heldWithGripsOff(*firm->row, firm->certainty, rest, {}, {})->empty());
 }
 
 TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {

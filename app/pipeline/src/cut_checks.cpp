@@ -11,6 +11,7 @@
 #include "bw/core/simulation/run_kerf.h"
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/firm_row.h"
+#include "bw/core/sweep/grips_off.h"
 #include "bw/core/sweep/lowest_place.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/lower_block.h"
@@ -164,10 +165,15 @@ Result<void> judgeRest(const CutWork& work) {
   CutEvaluation& e = work.e;
   return work.settle(&CutEvaluation::rest, checkRequest(work.design, work.cut),
                      {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
-                     [&e](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
+                     [&e, &work](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
                        RowRest rest = restOf(*e.sweep.value, *e.check.value, *e.certainty.value,
                                              e.ends.value->entry, *e.way.value, request.margin);
                        findings = rest.findings;
+                       if (work.tried) return rest;
+                       Result<Findings> off =
+                           heldWithGripsOff(*e.sweep.value, *e.certainty.value, rest, request, work.context);
+                       if (!off) return tl::unexpected<Error>(off.error());
+                       findings.insert(findings.end(), off->begin(), off->end());
                        return rest;
                      });
 }

@@ -256,10 +256,10 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Floor: the blade stays above the face that its block lies on by", mm(design.process.floor)});
   page.row({"What holds the grips", extensionText(design.process.extend)});
-  page.row({"Weight of the blade", design.process.weight ? "counted, up is " + direction(design.process.up)
-                                                         : "left out"});
-  page.row({"A grip may be off by", mm(design.process.gripError) + " and turned by " +
-                                        shortText(design.process.gripAngle, 4) + "°"});
+  page.row({"Weight of the blade",
+            design.process.weight ? "counted, up is " + direction(design.process.up) : "left out"});
+  page.row({"A grip may be off by",
+            mm(design.process.gripError) + " and turned by " + shortText(design.process.gripAngle, 4) + "°"});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});
   page.row({"Robot cell", design.output.cell});
 }

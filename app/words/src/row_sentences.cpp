@@ -180,6 +180,15 @@ std::string Sentences::operator()(const GripErrors& cause) const {
              : off + "may make the blade snap";
 }
 
+std::string Sentences::operator()(const HeldByLittle& cause) const {
+  const std::string off = at() + "where a grip is off by " + shortText(cause.error) + " mm and " +
+                          shortText(toDegrees(cause.angle)) + "°, ";
+  const std::string other = " another shape, " + mm(cause.distance) + " away";
+  return cause.barrier > 0 ? off + "a push of " + shortText(cause.barrier, 2) +
+                                 " N mm brings the blade into" + other + ", which a touch may bring about"
+                           : off + "the blade snaps into" + other;
+}
+
 std::string Sentences::operator()(const ServingLengths& cause) const {
   using Said = ServingLengths::Said;
   const auto whole = [](double length) { return shortText(length, 6); };

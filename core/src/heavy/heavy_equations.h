@@ -89,8 +89,8 @@ inline constexpr double kAtRest = 1e-13;
 /// What the last modes of a shape carry, rad, that is followed, and of one that is told.
 inline constexpr double kResolved = 1e-6, kExact = 1e-9;
 
-/// The largest ratio of two of Newton's steps, as long as they are more than kResolved, at which its start and
-/// its end are on one branch.
+/// The largest ratio of two of Newton's steps, as long as they are more than kResolved, at which its start
+/// and its end are on one branch.
 inline constexpr double kOneBranch = 0.2;
 
 /// What Newton's method saw on its way.

@@ -243,8 +243,9 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
   const double twisted = (weights * curvature * phi).sum();
   for (Index k = 0; k < 4; ++k) {
     // Of what `turnedWith` tells, the slope.
-    const ArrayXd bent = (modes.slopes.transpose() * changes.coefficients.col(k)).array() +
-                         (k < 2 ? 0.0 : k == 2 ? -1.0 : 1.0);
+    const ArrayXd bent = (modes.slopes.transpose() * changes.coefficients.col(k)).array() + (k < 2    ? 0.0
+                                                                                             : k == 2 ? -1.0
+                                                                                                      : 1.0);
     const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine +
                           s.across * changes.turned.col(k).array() - 2 * curvature * bent;
     slope.byGrips(k) =

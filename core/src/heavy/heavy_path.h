@@ -56,8 +56,8 @@ class Path {
 
 /// Where the way of a blade at rest ends, if it does.
 struct Followed {
-  WayPoint end;          ///< at part 1, or the last stable one
-  bool snapped = false;  ///< the blade is stable up to there and not beyond
+  WayPoint end;                                      ///< at part 1, or the last stable one
+  bool snapped = false;                              ///< the blade is stable up to there and not beyond
   std::shared_ptr<const Equations> rests = nullptr;  ///< there, where they were asked for its stability
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/base/box_distance.h"
 #include "bw/core/sweep/row_sketch.h"
+#include "bw/core/base/box_distance.h"
 
 #include <algorithm>
 #include <array>

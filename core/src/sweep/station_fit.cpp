@@ -207,7 +207,7 @@ Error tooShort(const FitRequest& request, const std::string& where, double longe
                                           : "leaves less than the clearance of " +
                                                 shortText(request.clearance, 4) + " mm at both ends of") +
           " the section of " + where + " (" + shortText(longest, 6) + " mm); choose " +
-          (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
+          (needed ? "a blade of " + shortText(*needed, 6) + " mm or longer, " + other
                   : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
       where, request.blade.length, needed ? *needed : Blade::kLongest};
   if (needed) error.remedies = {OtherLength{*needed}};

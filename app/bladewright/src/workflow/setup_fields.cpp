@@ -163,7 +163,15 @@ void BladeFields::refresh() {
 void BladeFields::refreshLengths() {
   const Blade& blade = bench_.design().blade;
   const pipeline::CutEvaluation* cut = bench_.shownCut();
-  const std::shared_ptr<const BladeLengths> known = cut ? cut->lengths.value : nullptr;
+  std::shared_ptr<const BladeLengths> known = cut ? cut->lengths.value : nullptr;
+  // Where the design of now comes to no result, those of an earlier one are told alone if nothing but the
+  // length is another.
+  if (known && bench_.stale() && bench_.failed()) {
+    Design before = bench_.shown()->design;
+    before.blade.length = blade.length;
+    before.blade.autoLength = blade.autoLength;
+    if (!(before == bench_.design())) known = nullptr;
+  }
   const auto result = bench_.sweep();
   const std::optional<double>& own = bench_.cut().length;
   const double length =

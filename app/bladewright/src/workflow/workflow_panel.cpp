@@ -196,7 +196,10 @@ void WorkflowPanel::follow(const Change& change) {
     process_->refreshMargins();
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
-  if (any(Aspect::state)) input_->refreshState();
+  if (any(Aspect::state)) {
+    input_->refreshState();
+    bladeFields_->refreshLengths();
+  }
   if (any(Aspect::state | Aspect::sketch)) output_->refreshBlocks();
 }
 

@@ -445,6 +445,14 @@ struct GripErrors {
   double error = 0, angle = 0;  ///< mm and rad that the grip is off
   double tolerance = 0;
 };
+/// A shape that is held does not stay so where a grip is off.
+struct HeldByLittle {
+  static constexpr FindingKind kind = FindingKind::gripErrors;
+  double barrier = 0;           ///< N mm that then bring the blade into another shape; 0 where it snaps
+  double least = 0;             ///< N mm that count as more than a touch
+  double error = 0, angle = 0;  ///< mm and rad that the grip is off
+  double distance = 0;          ///< mm to the other shape, the grips being where they should
+};
 /// What lengths of the blade serve a row, where the one that is asked for does not, or none is asked for.
 struct ServingLengths {
   static constexpr FindingKind kind = FindingKind::length;
@@ -574,13 +582,13 @@ using Cause =
                  GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
                  BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
                  ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff,
-                 ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches,
-                 SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough,
-                 SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross, PlanesNotTurned,
-                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, JointGap, JointKink,
-                 JointOpen, JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut, CutDropped, CreaseOff,
-                 TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
-                 HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 ServingLengths, GripErrors, HeldByLittle, SectionMissing, SectionPoint, SectionShort,
+                 SectionBranches, SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit,
+                 SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
+                 PlanesNotTurned, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+                 JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut,
+                 CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide,
+                 HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

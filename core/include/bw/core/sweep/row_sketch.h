@@ -37,7 +37,7 @@ struct RowSketch {
   double minRadius = 0;  ///< mm, of the whole blades; 0 where all are straight
   /// mm of the lowest point of all blades over the face the block lies on; only where a floor is asked for.
   double aboveBottom = std::numeric_limits<double>::infinity();
-  bool nearBottom = false;  ///< nearer to that face than the floor
+  bool nearBottom = false;                                     ///< nearer to that face than the floor
   double clearance = std::numeric_limits<double>::infinity();  ///< mm, the least of a grip from the block
   bool nearBlock = false;                                      ///< less than asked for
 };
