@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/sweep/row_sketch.h"
-#include "bw/core/base/box_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/lowest_place.h"

@@ -73,11 +73,12 @@ std::optional<BlockStanding> pulledStanding(const Workbench& bench, const pipeli
   if (!moved) return {};
   if (!wrong.isEmpty())
     return BlockStanding{"error", &Colours::error, wrong, tr("At a station, as the hand has it now"), {}};
-  return BlockStanding{"stale",
-                       &Colours::secondary,
-                       tr("being changed"),
-                       tr("Nothing is wrong at its stations; all limits are known once the hand rests"),
-                       {}};
+  return BlockStanding{
+      "stale",
+      &Colours::secondary,
+      tr("being changed"),
+      tr("Nothing is known to be wrong at its stations; all is looked at once the hand rests"),
+      {}};
 }
 
 BlockStanding standingOf(const Workbench& bench, const std::string& id, const Findings& findings) {
