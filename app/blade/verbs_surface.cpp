@@ -74,7 +74,11 @@ void tellSummary(const pipeline::Evaluation& e) {
                     ? " of the surface shown within tolerance (the blade between its stations is not), "
                     : " within tolerance, ")
             << shareText(all.covered) << " of the surface covered (farthest beyond the cut "
-            << shortText(all.uncovered) << " mm); ";
+            << shortText(all.uncovered) << " mm)"
+            << (all.lost > 0
+                    ? ", did the blade keep its shape, which it does not at " + counted(all.lost, "station")
+                    : "")
+            << "; ";
   if (all.fromShown)
     std::cerr << (e.blocks.size() > 1 || e.blocks.front().cuts.size() > 1 ? "the programs cut within "
                                                                           : "the program cuts within ")

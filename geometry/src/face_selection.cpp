@@ -28,6 +28,9 @@ double widthOf(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges)
   return border > 0 ? 2 * face.area() / border : std::sqrt(face.area());
 }
 
+constexpr double kMuchLeft =
+    0.01;  // of the face that is cut: more than this in other faces of a sheet is a warning
+
 /// Planes, cylinders and cones: what the sides, holes and roundings of a part mostly are.
 bool plain(const std::string& type) { return type == "plane" || type == "cylinder" || type == "cone"; }
 
@@ -75,9 +78,12 @@ class Chooser {
       ok.error().message += "; it is the largest: check the unit of the file, read as " + impl_.info.readAs;
       return tl::unexpected(ok.error());
     }
-    if (count_ > 1)
+    if (count_ > 1) {
+      const double left = sheetBeside(best);
       tell(LargestFace{nameOf(info(best)), count_,
-                       best != widest ? std::optional(nameOf(info(widest))) : std::nullopt});
+                       best != widest ? std::optional(nameOf(info(widest))) : std::nullopt, left},
+           left > kMuchLeft * info(best).area ? Severity::warning : Severity::info);
+    }
     return std::vector<int>{best};
   }
 
@@ -180,8 +186,17 @@ class Chooser {
  private:
   const FaceInfo& info(int i) const { return impl_.info.faceList[i]; }
 
-  void tell(Cause cause) const {
-    if (findings_) findings_->push_back({Severity::info, std::move(cause), {}, {}});
+  /// mm² of the other faces, where all belong to sheets: a solid has sides that nobody wants to cut.
+  double sheetBeside(int face) const {
+    if (std::ranges::find(impl_.inSolid, true) != impl_.inSolid.end()) return 0;
+    double area = 0;
+    for (int i = 0; i < count_; ++i)
+      if (i != face && usable(i)) area += info(i).area;
+    return area;
+  }
+
+  void tell(Cause cause, Severity severity = Severity::info) const {
+    if (findings_) findings_->push_back({severity, std::move(cause), {}, {}});
   }
 
   tl::unexpected<Error> noSuchName(const std::string& name) const {

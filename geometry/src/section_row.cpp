@@ -28,6 +28,7 @@ constexpr double kFitTolerance = 5e-4;  // mm between samples of a section and i
 constexpr double kSpeck = 0.01;         // mm: a part shorter than this is rounding, not a branch
 constexpr double kSliver = 0.5;         // mm: nor is one that grazes the block's face,
 constexpr double kBeside = 100;         // where another one is so many times as long
+constexpr double kBesideBlock = 1e-3;   // mm: what is farther off has left the block by a side
 constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;         // of a section, before it is fitted
 constexpr int kMaxSamples = 12000;
@@ -186,12 +187,21 @@ void join(Finding& all, const Finding& one) {
     const auto& more = std::get<SectionBranches>(one.cause);
     branches->least = std::min(branches->least, more.least);
     branches->most = std::max(branches->most, more.most);
+    branches->above = std::max(branches->above, more.above);
+    branches->below = std::max(branches->below, more.below);
   } else if (worse) {
     all.cause = one.cause;
   }
   if (!worse) return;
   range.worst = one.where.stations->worst;
   all.where.point = one.where.point;
+}
+
+/// The parts of each interval between the nodes of a curve that give it `kMinSamples` samples.
+int divisionOf(const SectionBranch& branch) {
+  std::size_t nodes = 0;
+  for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
+  return std::max(2, int((kMinSamples + nodes - 1) / nodes));
 }
 
 }  // namespace
@@ -303,12 +313,9 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
   std::vector<Part> parts;
   double speck = 0;
   for (const SectionBranch& branch : branches) {
-    std::size_t nodes = 0;
-    for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
-    const int division = std::max(2, int((kMinSamples + nodes - 1) / nodes));
     bool clipped = false;
     auto pieces = geometry::clipped(
-        cutter, sampleBranch(cutter, branch, own, division), branch.closed, own,
+        cutter, sampleBranch(cutter, branch, own, divisionOf(branch)), branch.closed, own,
         [this](const LevelNode& node) { return holds(node); }, clipped);
     for (auto& piece : pieces) {
       const double length = lengthOf(piece);
@@ -354,7 +361,9 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     }
   }
   if (parts.size() > 1) {
-    tell(Severity::warning, SectionBranches{int(parts.size()), int(parts.size())}, place);
+    SectionBranches several{int(parts.size()), int(parts.size())};
+    tellHeights(cutter.normal(), own, several);
+    tell(Severity::warning, several, place);
     return outcome;
   }
   Part& part = parts.front();
@@ -373,20 +382,57 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     const SectionSample& from = last ? part.samples.back() : part.samples.front();
     if (way.empty() || (way.front().nodes.front().p - from.node.p).norm() > kMeet) return {};
     std::vector<LevelPiece> pieces;
-    std::size_t nodes = 0;
-    for (const LevelWay& step : way) {
-      pieces.push_back({step.face, step.nodes});
-      nodes += step.nodes.size();
-    }
+    for (const LevelWay& step : way) pieces.push_back({step.face, step.nodes});
     SectionBranch branch;
     for (const LevelPiece& piece : pieces) branch.parts.push_back({&piece, false});
-    return sampleBranch(cutter, branch, own, std::max(2, int((kMinSamples + nodes - 1) / nodes)));
+    return sampleBranch(cutter, branch, own, divisionOf(branch));
   };
   outcome.level = level;
   outcome.beyond = {goesOn(part.branch->parts.front(), false), goesOn(part.branch->parts.back(), true)};
   if (!outcome.beyond[0].empty() || !outcome.beyond[1].empty()) outcome.samples = part.samples;
   fit(outcome, std::move(part.samples));
   return outcome;
+}
+
+void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const {
+  const auto tall = [&] {
+    Box box = region_;
+    const double reach = (target_.bounds.max - target_.bounds.min).norm();
+    box.frame.origin -= reach * box.frame.normal;
+    box.size.z() += 2 * reach;
+    return std::make_unique<const PlaneCutter>(target_, normal, box);
+  };
+  std::unique_ptr<const PlaneCutter> own;
+  if (parallel_)
+    std::call_once(tallOnce_, [&] { tall_ = tall(); });
+  else
+    own = tall();
+  const PlaneCutter& cutter = own ? *own : *tall_;
+  const PlaneCutter::Cut cut = cutter.cut(level);
+  for (const SectionBranch& branch : chainPieces(cut.pieces)) {
+    if (branch.closed) continue;
+    double above = 0, below = 0, nowAbove = 0, nowBelow = 0;
+    bool begun = false, beside = false;
+    for (const SectionSample& sample : sampleBranch(cutter, branch, level, divisionOf(branch))) {
+      if (holds(sample.node)) {
+        if (beside) {  // and comes back, perhaps by that side
+          above = below = 0;
+          break;
+        }
+        begun = true;
+        above = std::max(above, nowAbove);
+        below = std::max(below, nowBelow);
+      } else if (begun) {
+        const Eigen::Vector3d local = block_.box.frame.toLocal(sample.node.p), &size = block_.box.size;
+        const Eigen::Vector2d off = (local.head<2>() - size.head<2>()).cwiseMax(-local.head<2>());
+        beside = beside || off.maxCoeff() > kBesideBlock;
+        nowAbove = std::max(nowAbove, local.z() - size.z());
+        nowBelow = std::max(nowBelow, -local.z());
+      }
+    }
+    several.above = std::max(several.above, above);
+    several.below = std::max(several.below, below);
+  }
 }
 
 bool Sectioner::fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -74,6 +75,8 @@ class Sectioner {
   void extend(SectionOutcome& outcome, double low, double high) const;
 
  private:
+  /// How far curves that come into the block several times leave it above or below in between.
+  void tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const;
   /// Lays the spline through the samples of a section; false where there is none, which `findings` tell.
   bool fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const;
 
@@ -94,6 +97,9 @@ class Sectioner {
   std::optional<PlaneCutter> parallel_;  ///< none where planes turn
   BlockWindow window_, block_;
   bool slanted_;
+  /// `parallel_`, looking above and below the block as well; made where it is asked for.
+  mutable std::once_flag tallOnce_;
+  mutable std::unique_ptr<const PlaneCutter> tall_;
 };
 
 /// The row of planes of a family through a target, evenly spaced from the first to the last place where they

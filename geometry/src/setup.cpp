@@ -19,9 +19,10 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kThinnest = 1e-3;  // mm of a block's sides
-constexpr double kAsLong = 1e-6;    // of a side: one longer by less is as long
-constexpr double kMargin = 5.0;     // mm of foam below and above the target
+constexpr double kThinnest = 1e-3;     // mm of a block's sides
+constexpr double kAsLong = 1e-6;       // of a side: one longer by less is as long
+constexpr double kMargin = 5.0;        // mm of foam below and above the target
+constexpr double kMostBetween = 0.25;  // of the base: more is not added for holes and notches
 constexpr double kNearlyAsSmall =
     1.5;  // an axis-parallel block up to this much larger is taken for its simplicity
 constexpr double kDirectedNormal =
@@ -149,10 +150,75 @@ Eigen::Vector3d upward(const Eigen::Vector3d& d) {
   return d;
 }
 
-/// The box around the target along the given axes, with the margin along z.
-Box boxAround(const Target::Impl& target, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
-              const Eigen::Vector3d& z) {
-  const auto ex = target.extent(x), ey = target.extent(y), ez = target.extent(z);
+/// Points of the surfaces under the faces in what the target leaves free between its parts: sections may go
+/// on across holes and notches there. Of a face alone those with some of it on both sides of them along a
+/// parameter; of what several lie on all.
+Points pointsBetween(const Target::Impl& target) {
+  Points points;
+  for (const auto& face : target.faces) {
+    const int nu = int(face->gridU().size()), nv = int(face->gridV().size());
+    const auto along = [&](int lines, int nodes, const auto& at) {
+      for (int line = 0; line < lines; ++line) {
+        int last = -1;
+        for (int k = 0; k < nodes; ++k) {
+          const auto [i, j] = at(line, k);
+          if (!face->gridInside(i, j)) continue;
+          for (int between = last + 1; last >= 0 && between < k; ++between) {
+            const auto [bi, bj] = at(line, between);
+            points.push_back(face->gridPoint(bi, bj));
+          }
+          last = k;
+        }
+      }
+    };
+    if (face->natural()) continue;
+    along(nu, nv, [](int line, int k) { return std::pair(line, k); });
+    along(nv, nu, [](int line, int k) { return std::pair(k, line); });
+  }
+  for (const Carrier& carrier : target.carriers)
+    for (int i = 0; i < int(carrier.surface->gridU().size()); ++i)
+      for (int j = 0; j < int(carrier.surface->gridV().size()); ++j)
+        points.push_back(carrier.surface->gridPoint(i, j));
+  return points;
+}
+
+/// `extent` along z with what lies between the parts of the target, as seen along z.
+std::array<double, 2> withBetween(std::array<double, 2> extent, const Points& points, const Points& between,
+                                  const Eigen::Vector3d& x, const Eigen::Vector3d& y,
+                                  const Eigen::Vector3d& z) {
+  std::vector<Eigen::Vector2d> flat;
+  if (between.empty()) return extent;
+  flat.reserve(points.size());
+  for (const auto& p : points) flat.emplace_back(p.dot(x), p.dot(y));
+  const std::vector<Eigen::Vector2d> hull = hullOf(std::move(flat));
+  const auto within = [&](const Eigen::Vector2d& p) {
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const Eigen::Vector2d side = hull[(i + 1) % hull.size()] - hull[i], to = p - hull[i];
+      if (side.x() * to.y() - side.y() * to.x() < 0) return false;
+    }
+    return hull.size() > 2;
+  };
+  std::array<double, 2> all = extent;
+  for (const Eigen::Vector3d& p : between) {
+    const double height = p.dot(z);
+    if ((height < all[0] || height > all[1]) && within({p.dot(x), p.dot(y)}))
+      all = {std::min(all[0], height), std::max(all[1], height)};
+  }
+  // A surface that rises so steeply in a hole leads nowhere.
+  Eigen::AlignedBox2d base;
+  for (const Eigen::Vector2d& p : hull) base.extend(p);
+  const double most = kMostBetween * base.sizes().minCoeff();
+  if (extent[0] - all[0] <= most) extent[0] = all[0];
+  if (all[1] - extent[1] <= most) extent[1] = all[1];
+  return extent;
+}
+
+/// The box around the target along the given axes, with the margin along z. `points` are of the target,
+/// `between` what lies between its parts.
+Box boxAround(const Target::Impl& target, const Points& points, const Points& between,
+              const Eigen::Vector3d& x, const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
+  const auto ex = target.extent(x), ey = target.extent(y),
+             ez = withBetween(target.extent(z), points, between, x, y, z);
   Box box;
   box.frame.x = x;
   box.frame.y = y;
@@ -174,7 +240,7 @@ Eigen::Matrix3d principalAxes(const Points& points) {
 }
 
 Box autoBlock(const Target::Impl& target) {
-  const Points points = samplePoints(target);
+  const Points points = samplePoints(target), between = pointsBetween(target);
   // The side that the target is looked at from.
   Eigen::Vector3d look = target.meanNormal;
   if (look.norm() < kDirectedNormal) look = upward(principalAxes(points).col(0));
@@ -190,7 +256,7 @@ Box autoBlock(const Target::Impl& target) {
     x = -x;
     y = -y;
   }
-  const Box parallel = boxAround(target, x, y, z);
+  const Box parallel = boxAround(target, points, between, x, y, z);
 
   // Oriented: z is near that side, x and y along the smallest rectangle around the shadow.
   const Shadow shadow = squarest(points, look);
@@ -201,7 +267,7 @@ Box autoBlock(const Target::Impl& target) {
     u = v;
     v = -t;
   }
-  const Box oriented = boxAround(target, u, v, shadow.z);
+  const Box oriented = boxAround(target, points, between, u, v, shadow.z);
   return parallel.size.prod() <= kNearlyAsSmall * oriented.size.prod() ? parallel : oriented;
 }
 

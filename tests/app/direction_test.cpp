@@ -77,6 +77,32 @@ TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
   }));
 }
 
+TEST(DirectionSearch, TakesNoWayAlongWhichTheBladeSnaps) {
+  // A wave along y, an arch along x: a blade over the wave has two bows, and snaps into one.
+  Design design = designOf([](double u, double v) {
+    const double a = 2 * std::acos(-1.0);
+    return Eigen::Vector3d(600 * u, 600 * v, 25 * std::sin(a * v) + 20 * std::cos(a * (u - 0.5) / 2));
+  });
+  design.blade.length = 800;
+  const Evaluation found = evaluated(design);
+  ASSERT_TRUE(found.cut().directions.value);
+  EXPECT_NEAR(std::abs(found.cut().setup->planes.direction().y()), 1, 1e-9);
+  const auto along = [&](int axis) {
+    const std::vector<DirectionTrial>& trials = found.cut().directions.value->trials;
+    return *std::ranges::find_if(
+        trials, [&](const DirectionTrial& trial) { return std::abs(trial.direction[axis]) > 0.99; });
+  };
+  EXPECT_EQ(along(0).unrested, along(0).stations);
+  EXPECT_EQ(along(1).unrested, 0);
+  const std::vector<Rest>& rests = found.cut().rest.value->stations;
+  EXPECT_EQ(std::ranges::count(rests, Rest::lost), 0);
+  // So it is told of the way that was not taken.
+  design.cut().direction = Eigen::Vector3d::UnitX();
+  const Evaluation other = evaluated(design);
+  const std::vector<Rest>& lost = other.cut().rest.value->stations;
+  EXPECT_EQ(std::ranges::count(lost, Rest::lost), int(lost.size()));
+}
+
 TEST(DirectionSearch, LeavesTheExamplesAsTheyAreButForTheTorus) {
   for (const geometry::Example& example : geometry::exampleList()) {
     Design design = exampleDesign(example.name).value();
@@ -145,7 +171,7 @@ TEST(DirectionSearch, ReportListsWhatWasTried) {
 
 TEST(DirectionSearch, CountsErrorsFirstThenDeviationThenAngle) {
   const auto trial = [](int unusable, double deviation, double angle_deg) {
-    return DirectionTrial{"", Eigen::Vector3d::UnitX(), 9, unusable, deviation, fromDegrees(angle_deg), {}};
+    return DirectionTrial{"", Eigen::Vector3d::UnitX(), 9, unusable, deviation, fromDegrees(angle_deg)};
   };
   const auto better = [](const DirectionTrial& a, const DirectionTrial& b) {
     return clearlyBetter(a, b, 2.0);
@@ -157,6 +183,10 @@ TEST(DirectionSearch, CountsErrorsFirstThenDeviationThenAngle) {
   EXPECT_FALSE(better(trial(0, 0.1, 5), trial(0, 1.9, 5)));  // within the tolerance nothing is nearer
   EXPECT_TRUE(better(trial(0, 1.9, 5), trial(0, 0.1, 30)));
   EXPECT_FALSE(better(trial(0, 1, 21), trial(0, 1, 30)));
+  DirectionTrial snaps = trial(0, 1, 5);
+  snaps.unrested = 2;
+  EXPECT_TRUE(better(trial(0, 1.9, 80), snaps)) << "it rests, within the tolerance, too";
+  EXPECT_FALSE(better(trial(0, 9, 5), snaps));
   DirectionTrial failed = trial(9, 0, 0);
   failed.failure = "no section";
   EXPECT_TRUE(better(trial(9, 5, 80), failed));

@@ -5,6 +5,7 @@
 // there are those from that surface.
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <Geom_SphericalSurface.hxx>
 
 #include "sheets.h"
 
@@ -37,6 +38,38 @@ TEST(Bridging, AndAcrossANotch) {
   for (const Section& section : cut.sections)
     EXPECT_NEAR(section.curve().length(), 2 * kRadius * std::asin(300 / kRadius), 0.1);
   EXPECT_NEAR(widestGap(cut.findings), 2 * kRadius * std::asin(150 / kRadius), 0.1);
+}
+
+TEST(Bridging, AlsoWhereTheSurfaceRisesOverTheRestInBetween) {
+  // The crest of a dome, cut out: the block around what is left has to hold it.
+  const double radius = 900, half = std::asin(300 / radius);
+  const gp_Ax3 axis(gp_Pnt(0, 0, -radius), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape dome =
+      BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(axis, radius), -half, half, -half, half, 1e-7).Face();
+  const Target holed = targetOf(BRepAlgoAPI_Cut(dome, boxAt(-150, 150, -150, 150)).Shape());
+  const double below = holed.bounds().max.z();
+  EXPECT_LT(below, -10);
+  const Cut cut = along(holed);
+  ASSERT_EQ(cut.sections.size(), 15u) << "none is left out";
+  EXPECT_NEAR(cut.setup.block.frame.origin.z() + cut.setup.block.size.z(), 5, 0.1);
+  EXPECT_NEAR(widestGap(cut.findings), 2 * radius * std::asin(150 / radius), 1);
+  // A given block that ends where the target does is told how much higher it has to be.
+  CutSettings low;
+  low.stations = 15;
+  low.direction = Eigen::Vector3d::UnitY();
+  low.block = BlockPlacement{{-300, -300, -150}, {600, 600, 150 + below}, {0, 0, 0}};
+  const Cut split = cutOf(holed, low);
+  const auto several = std::ranges::find_if(
+      split.findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); });
+  ASSERT_NE(several, split.findings.end());
+  EXPECT_NEAR(std::get<SectionBranches>(several->cause).above, -below, 0.2);
+  EXPECT_EQ(std::get<SectionBranches>(several->cause).below, 0);
+  // One that is too narrow is not.
+  low.block = BlockPlacement{{-300, -300, -150}, {250, 600, 150 + below}, {0, 0, 0}};
+  for (const Finding& finding : cutOf(holed, low).findings) {
+    const auto* parts = std::get_if<SectionBranches>(&finding.cause);
+    EXPECT_TRUE(!parts || parts->above == 0);
+  }
 }
 
 TEST(Bridging, AndBeyondStepsOfTheSides) {

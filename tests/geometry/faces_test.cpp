@@ -183,13 +183,14 @@ TEST(Choice, LargestPrefersWhatIsBentAndSaysWhatItTook) {
   ASSERT_TRUE(faces);
   EXPECT_EQ(*faces, (std::vector<int>{0}));
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].severity, Severity::info);
+  EXPECT_EQ(findings[0].severity, Severity::warning) << "there are others, and no solid";
   const auto* largest = std::get_if<LargestFace>(&findings[0].cause);
   ASSERT_TRUE(largest && largest->larger);
   EXPECT_EQ(largest->face.name, "hill");
   EXPECT_EQ(largest->faces, 3);
   EXPECT_EQ(largest->larger->index, 2);
   EXPECT_EQ(largest->larger->type, "plane");
+  EXPECT_NEAR(largest->left, model.info().faceList[1].area + model.info().faceList[2].area, 1e-6);
   // Where there are planes alone, the largest is one; a file of one face says nothing.
   findings.clear();
   const auto planes =

@@ -42,6 +42,24 @@ std::vector<Finding> everyCause() {
 
 }  // namespace
 
+TEST(Findings, NumbersAreSeenToPassTheirLimits) {
+  EXPECT_NE(
+      said(Overbent{239.96, 240}, kOne).find("a radius of 239.96 mm but keeps its shape only down to 240"),
+      std::string::npos)
+      << said(Overbent{239.96, 240}, kOne);
+  EXPECT_NE(said(TooFarOnTheWay{2.0041, 2}, kOne).find("up to 2.004 mm from the target (tolerance 2 mm)"),
+            std::string::npos);
+}
+
+TEST(Findings, MoreStationsAreNoRemedyWhereTheBladeDoesNotRest) {
+  EXPECT_NE(said(TooFarOnTheWay{70, 2}, kOne).find("take more stations"), std::string::npos);
+  for (const std::string& text :
+       {said(TooFarOnTheWay{70, 2, true}, kOne), said(OffTheSurfaceShown{70, 0.1, true}, kOne)}) {
+    EXPECT_EQ(text.find("take more stations"), std::string::npos);
+    EXPECT_NE(text.find("does not keep its shape there, which is to be mended first"), std::string::npos);
+  }
+}
+
 TEST(Findings, OneStationSeveralAndSomeOfThem) {
   EXPECT_EQ(said(SectionMissing{}, kOne),
             "station 8 is left out: its plane does not meet the target inside the block");
@@ -52,6 +70,15 @@ TEST(Findings, OneStationSeveralAndSomeOfThem) {
   EXPECT_NE(said(SectionBranches{2, 2}, kAll).find("in 2 separate curves each; place"), std::string::npos);
   EXPECT_NE(said(SectionBranches{2, 4}, kAll).find("in 2 to 4 separate curves; place"), std::string::npos);
   EXPECT_NE(said(SectionBranches{2, 2}, kOne).find("in 2 separate curves; place"), std::string::npos);
+  EXPECT_NE(
+      said(SectionBranches{2, 2, 4.2}, kAll)
+          .find("each; one of them goes out through the block's top and comes back: one that reaches 5 mm "
+                "farther up holds it in one; place"),
+      std::string::npos);
+  EXPECT_NE(said(SectionBranches{2, 2, 4.2, 1}, kAll)
+                .find("reaches 5 mm farther up, and 1 mm farther down holds it in one; place"),
+            std::string::npos);
+  EXPECT_NE(said(SectionBranches{2, 2, 0, 7}, kAll).find("through the block's bottom"), std::string::npos);
   EXPECT_NE(said(SectionBranches{2, 2}, kOne).find("(a gap between two is crossed where"), std::string::npos);
   EXPECT_EQ(
       said(ManyInflections{3}, kAll),

@@ -195,4 +195,16 @@ void adviseMargin(Findings& findings, const CutEvaluation& cut) {
   }
 }
 
+void adviseUnrested(Findings& findings, const CutEvaluation& cut) {
+  const bool lost = cut.rest.value && std::ranges::count(cut.rest.value->stations, Rest::lost) > 0;
+  if (!lost && std::ranges::none_of(findings, leavesOnTheWay)) return;
+  for (Finding& finding : findings) {
+    auto* far = std::get_if<TooFarOnTheWay>(&finding.cause);
+    auto* off = std::get_if<OffTheSurfaceShown>(&finding.cause);
+    if (!far && !off) continue;
+    (far ? far->unrested : off->unrested) = true;
+    drop<MoreStations>(finding.remedies);
+  }
+}
+
 }  // namespace bw::pipeline

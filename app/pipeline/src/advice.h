@@ -40,4 +40,8 @@ void adviseClearance(Findings& findings, const CutEvaluation& cut);
 /// found.
 void adviseMargin(Findings& findings, const CutEvaluation& cut);
 
+/// What the blade leaves between the stations is not told to take more of them where it does not keep its
+/// shape at some, or on the way between them.
+void adviseUnrested(Findings& findings, const CutEvaluation& cut);
+
 }  // namespace bw::pipeline

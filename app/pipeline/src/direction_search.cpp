@@ -13,8 +13,8 @@ namespace bw::pipeline {
 
 namespace {
 
-/// Stations of a trial: few, but enough for the angles to be of second order.
-constexpr int kStations = 9;
+/// Stations of a trial: few, but enough for the angles to be of second order, and for notches to be seen.
+constexpr int kStations = 17;
 /// Stations that may be left out at each end of the row: corners of a surface that lies askew.
 constexpr int kSparedAtAnEnd = 1;
 /// What is clearly better: a deviation of this part, an angle smaller by this much.
@@ -30,7 +30,7 @@ int leftOut(const std::vector<BladePose>& stations) {
 
 DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
                      const geometry::NamedDirection& along, const RunContext& context) {
-  DirectionTrial trial{along.name, along.direction, kStations, kStations, 0, 0, {}};
+  DirectionTrial trial{along.name, along.direction, kStations, kStations};
   const auto failed = [&](const Error& error) {
     trial.failure = error.message;
     return trial;
@@ -41,35 +41,40 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   const Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, planes}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  FitRequest weightless = request.fit;
-  weightless.weight.setZero();  // of no weight in the choice
-  const Result<Sweep> sweep = fitSweep(*sections, weightless, block, planes, context);
-  if (!sweep) return failed(sweep.error());
-  const Result<SweepCheck> check =
-      checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
+  // A length that is still to be chosen is long enough for every way, and tells nothing of what would rest.
+  const bool ownLength = !request.fit.blade.autoLength;
+  FitRequest asked = request.fit;
+  if (!ownLength) asked.weight.setZero();
+  const Result<Sweep> row = buildSweep(*sections, asked, block, planes, context, ignored);
+  if (!row) return failed(row.error());
+  const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
   if (!check) return failed(check.error());
-  const double curvatureLimit = request.fit.blade.maxCurvature();
-  trial.unusable = leftOut(sweep->poses);
-  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
-    const FitResult& fit = sweep->fits[i].fit;
+  const double curvatureLimit = asked.blade.maxCurvature();
+  trial.unusable = leftOut(row->poses);
+  for (std::size_t i = 0; i < row->poses.size(); ++i) {
+    const FitResult& fit = row->fits[i].fit;
     const StationCheck& station = check->stations[i];
-    if (fit.status == FitStatus::infeasible || sweep->poses[i].maxCurvature() > curvatureLimit ||
+    if (fit.status == FitStatus::infeasible || row->poses[i].maxCurvature() > curvatureLimit ||
         station.clearance < 0)
       ++trial.unusable;
     trial.deviationMax = std::max(trial.deviationMax, fit.hausdorff);
     trial.angleMax = std::max(trial.angleMax, station.angleMax);
+    const bool rests = !row->fits[i].snapsAt && station.stable &&
+                       std::min(station.stabilityMargin, station.outOfPlaneMargin) > 0;
+    if (ownLength && !rests) ++trial.unrested;
   }
   return trial;
 }
 
 ChosenDirection::Trial told(const DirectionTrial& trial) {
-  return {trial.name,         !trial.failure.empty(), trial.angleMax,
-          trial.deviationMax, trial.unusable,         trial.stations};
+  return {trial.name,     !trial.failure.empty(), trial.angleMax, trial.deviationMax,
+          trial.unusable, trial.stations,         trial.unrested};
 }
 
 /// True if no trial whatsoever would be clearly better.
 bool cannotBeBeaten(const DirectionTrial& trial, double tolerance) {
-  return trial.unusable == 0 && trial.deviationMax <= tolerance && trial.angleMax <= kSmallerAngle;
+  return trial.unusable == 0 && trial.deviationMax <= tolerance && trial.unrested == 0 &&
+         trial.angleMax <= kSmallerAngle;
 }
 
 }  // namespace
@@ -80,6 +85,7 @@ bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tole
   const double da = std::max(a.deviationMax, tolerance), db = std::max(b.deviationMax, tolerance);
   if (da < kSmallerDeviation * db) return true;
   if (db < kSmallerDeviation * da) return false;
+  if (a.unrested != b.unrested) return a.unrested < b.unrested;
   return a.angleMax < b.angleMax - kSmallerAngle;
 }
 

@@ -22,6 +22,7 @@ Overall overallOf(const Evaluation& e) {
     const SweepSummary& own = result.analysis.summary;
     const double weight = result.coverage.area, stations = double(result.size());
     all.stations += result.size();
+    all.lost += std::size_t(std::ranges::count(result.rest.stations, Rest::lost));
     all.cuttingTime += result.motion.cuttingTime();
     all.runTime += result.motion.duration();
     all.uncovered = std::max(all.uncovered, result.coverage.distance);

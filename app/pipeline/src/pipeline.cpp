@@ -386,11 +386,17 @@ Result<void> runAll(const std::vector<CutWork>& works, Evaluation& e, const RunC
   return ok;
 }
 
+/// True for a cut whose surface is not made as designed, whatever its speeds are: nobody asks for even ones
+/// before that is mended, and to seek them takes several times as long as the rest.
+bool failsAnyhow(const CutEvaluation& cut) {
+  return std::ranges::count(cut.rest.value->stations, Rest::lost) > 0 || hasErrors(cut.coverage.findings);
+}
+
 /// What helps the cut whose blade has the most uneven speeds, where one has.
 Result<void> seekSpeeds(Evaluation& e, const Evaluation* previous, double& seconds,
                         const RunContext& context) {
   const CutEvaluation* worst = mostUnevenCut(e);
-  if (!worst || worst->speeds.value) return {};
+  if (!worst || worst->speeds.value || failsAnyhow(*worst)) return {};
   for (BlockEvaluation& block : e.blocks)
     for (CutEvaluation& cut : block.cuts) {
       if (&cut != worst) continue;
@@ -489,6 +495,7 @@ Findings Evaluation::findings() const {
       adviseLength(own, cut, blade);
       adviseClearance(own, cut);
       adviseMargin(own, cut);
+      adviseUnrested(own, cut);
       adviseLowerBlock(own, cut, design);
       adviseSpeeds(own, cut);
       append(own, lengthFindings(cut, blade));

@@ -114,6 +114,7 @@ ordered_json trialJson(const DirectionTrial& trial, bool chosen) {
   const bool known = trial.failure.empty();
   object["deviation_max_mm"] = known ? ordered_json(trial.deviationMax) : ordered_json(nullptr);
   object["angle_max_deg"] = known ? ordered_json(toDegrees(trial.angleMax)) : ordered_json(nullptr);
+  object["unrested"] = trial.unrested;
   if (!known) object["failure"] = trial.failure;
   return object;
 }

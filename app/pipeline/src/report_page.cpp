@@ -145,7 +145,9 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
   page.row({"Surface shown within tolerance", shareText(s.withinTolerance)});
-  page.row({"Target in the block that has cut surface over it", shareText(all.covered)});
+  page.row({std::string("Target in the block that has cut surface over it") +
+                (all.lost > 0 ? ", did the blade keep its shape" : ""),
+            shareText(all.covered)});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});

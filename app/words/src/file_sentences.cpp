@@ -3,6 +3,8 @@
 //
 // What is said of surfaces, sections, files and programs.
 
+#include <cmath>
+
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "sentences.h"
@@ -24,7 +26,9 @@ std::string figures(const ChosenDirection::Trial& trial) {
   if (trial.failed) return "no sweep";
   return "a cutting angle of up to " + fixedText(toDegrees(trial.angle), 1) + "°, sections met within " +
          shortText(trial.deviation) + " mm, " + std::to_string(trial.unusable) + " of " +
-         std::to_string(trial.stations) + " stations unusable";
+         std::to_string(trial.stations) + " stations unusable" +
+         (trial.unrested > 0 ? ", at " + std::to_string(trial.unrested) + " of them the blade does not rest"
+                             : "");
 }
 
 const char* const kAnew = "; write the results anew";
@@ -46,10 +50,30 @@ std::string Sentences::operator()(const SectionShort& cause) const {
   return leftOut("section is only " + rest, "sections are, the shortest, only " + rest);
 }
 
+namespace {
+
+/// Where a curve leaves the block and comes back, and what block would hold all of it.
+std::string leaving(const SectionBranches& cause) {
+  const auto way = [](double by, const char* face, const char* place) {
+    return std::string("through the block's ") + face + " and comes back: one that reaches " +
+           shortText(std::ceil(by)) + " mm farther " + place;
+  };
+  if (!(cause.above > 0) && !(cause.below > 0)) return "";
+  const bool both = cause.above > 0 && cause.below > 0;
+  return "; one of them goes out " +
+         (both ? way(cause.above, "top", "up") + ", and " + shortText(std::ceil(cause.below)) +
+                     " mm farther down"
+          : cause.above > 0 ? way(cause.above, "top", "up")
+                            : way(cause.below, "bottom", "down")) +
+         " holds it in one";
+}
+
+}  // namespace
+
 std::string Sentences::operator()(const SectionBranches& cause) const {
   const bool same = cause.least == cause.most;
   const std::string rest = (same ? "" : std::to_string(cause.least) + " to ") + std::to_string(cause.most) +
-                           " separate curves" + (same && !single() ? " each" : "") +
+                           " separate curves" + (same && !single() ? " each" : "") + leaving(cause) +
                            "; place the block so that only one of them lies in it, choose "
                            "another direction or fewer faces (a gap between two is crossed where the "
                            "surface of one face, or of faces that share an edge, leads across it; sewing "
@@ -103,9 +127,15 @@ std::string Sentences::operator()(const LargestFace& cause) const {
   const std::string text =
       faceText(cause.face) + " of " + std::to_string(cause.faces) + " is cut, the largest";
   const std::string which = cause.face.type + ", " + areaText(cause.face.area);
-  if (!cause.larger) return text + ": " + which;
+  const std::string left =
+      finding.severity == Severity::info
+          ? ""
+          : "; " + areaText(cause.left) + " of the sheet " +
+                (cause.faces == 2 ? "is in the other, which is" : "are in the others, which are") +
+                " not cut: choose all faces, or those that are wanted";
+  if (!cause.larger) return text + ": " + which + left;
   return text + " that is neither plane, cylinder nor cone: " + which + "; " + faceText(*cause.larger) +
-         ", a " + cause.larger->type + " of " + areaText(cause.larger->area) + ", is larger";
+         ", a " + cause.larger->type + " of " + areaText(cause.larger->area) + ", is larger" + left;
 }
 
 std::string Sentences::operator()(const NearestFace& cause) const {

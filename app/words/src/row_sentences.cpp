@@ -42,11 +42,14 @@ std::string shorterText(const Finding& finding, const std::string& otherwise, co
   return "try one of " + mm(blade->length, 6) + more + (also.empty() ? "" : "; " + also);
 }
 
-/// So many digits, `digits` at least, that a number is seen to be less than its limit.
-int digitsBelow(double number, double limit, int digits) {
+/// So many digits, `digits` at least, that a number is seen to be another than its limit.
+int digitsBeside(double number, double limit, int digits) {
   while (digits < 8 && shortText(number, digits) == shortText(limit, digits)) ++digits;
   return digits;
 }
+
+/// A number that is told beside its limit, in mm.
+std::string mmBeside(double number, double limit) { return mm(number, digitsBeside(number, limit, 3)); }
 
 std::string takesText(const Finding& finding) {
   const BendingBlade* blade = remedyOf<BendingBlade>(finding.remedies);
@@ -62,6 +65,9 @@ std::string otherBlockText(const Finding& finding, bool single) {
          (single ? " this station" : " these stations") +
          ", one that is narrower along the blade, or another cutting direction";
 }
+
+/// What helps where more stations do not.
+const std::string kUnrested = "it does not keep its shape there, which is to be mended first";
 
 /// "take more stations", and what a longer section between them would need before.
 std::string moreStationsText(const Finding& finding, const std::string& take) {
@@ -102,15 +108,16 @@ std::string Sentences::operator()(const HeldBackFit& cause) const {
 }
 
 std::string Sentences::operator()(const Overbent& cause) const {
-  return at() + "the blade must bend to a radius of " + mm(cause.radius) +
+  return at() + "the blade must bend to a radius of " + mmBeside(cause.radius, cause.limit) +
          " but keeps its shape only down to " + mm(cause.limit) + "; " +
          shorterText(finding, takesText(finding));
 }
 
 std::string Sentences::operator()(const TooTight& cause) const {
-  std::string text = at() + "the surface is too tight: it bends to a radius of " + mm(cause.radius) +
-                     ", the blade only to " + mm(cause.limit) + ", so that it stays " + mm(cause.distance) +
-                     " or more off (tolerance " + mm(cause.tolerance) + "); " + takesText(finding);
+  std::string text = at() + "the surface is too tight: it bends to a radius of " +
+                     mmBeside(cause.radius, cause.limit) + ", the blade only to " + mm(cause.limit) +
+                     ", so that it stays " + mm(cause.distance) + " or more off (tolerance " +
+                     mm(cause.tolerance) + "); " + takesText(finding);
   if (const LargerSurface* larger = remedyOf<LargerSurface>(finding.remedies))
     text += ", or a surface " + shortText(larger->scale, 4) + " times as large" +
             (larger->bladeLength ? " with a blade of " + mm(*larger->bladeLength, 6) : std::string());
@@ -140,7 +147,7 @@ static std::string onTheWay(const Finding& finding, const std::string& atStation
 
 std::string Sentences::operator()(const LowMargin& cause) const {
   return onTheWay(finding, at()) + "the blade rests in this shape with a margin of " +
-         shortText(cause.margin, digitsBelow(cause.margin, cause.asked, 2)) +
+         shortText(cause.margin, digitsBeside(cause.margin, cause.asked, 2)) +
          " alone (asked for: " + shortText(cause.asked, 3) + "; it snaps at 0); " +
          shorterText(finding, kInParts);
 }
@@ -175,8 +182,8 @@ std::string Sentences::operator()(const GripErrors& cause) const {
   const std::string off = at() + "a grip that is off by " + shortText(cause.error) + " mm and " +
                           shortText(toDegrees(cause.angle)) + "° ";
   return std::isfinite(cause.moved)
-             ? off + "moves the cut by up to " + shortText(cause.moved) + " mm, more than the tolerance of " +
-                   shortText(cause.tolerance) + " mm"
+             ? off + "moves the cut by up to " + mmBeside(cause.moved, cause.tolerance) +
+                   ", more than the tolerance of " + shortText(cause.tolerance) + " mm"
              : off + "may make the blade snap";
 }
 
@@ -228,8 +235,7 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
   std::string text =
       onTheWay(finding, at()) +
       (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
-                          : "a grip passes the block at " +
-                                mm(cause.distance, digitsBelow(cause.distance, cause.clearance, 3)) +
+                          : "a grip passes the block at " + mmBeside(cause.distance, cause.clearance) +
                                 ", less than the clearance of " + mm(cause.clearance));
   if (between) return text + "; " + moreStationsText(finding, "take more stations");
   if (range.count == 0) return text + "; " + otherBlockText(finding, true);
@@ -345,9 +351,10 @@ std::string Sentences::operator()(const GapInRow& cause) const {
 }
 
 std::string Sentences::operator()(const TooFar& cause) const {
-  std::string text = "the cut surface is up to " + mm(cause.deviation) + " from the target near " +
-                     placeText(finding) + ", more than the tolerance of " + mm(cause.tolerance) + " (" +
-                     fixedText(std::min(99.9, 100 * cause.within), 1) + " % of its area lies within); ";
+  std::string text = "the cut surface is up to " + mmBeside(cause.deviation, cause.tolerance) +
+                     " from the target near " + placeText(finding) + ", more than the tolerance of " +
+                     mm(cause.tolerance) + " (" + fixedText(std::min(99.9, 100 * cause.within), 1) +
+                     " % of its area lies within); ";
   switch (cause.source) {
     case TooFar::Source::stations:
       break;
@@ -411,8 +418,8 @@ std::string Sentences::operator()(const ToldBlades& cause) const {
       text += "in which no blade rests: it would snap out of them";
       break;
     case Fault::tight:
-      text += "that bend to a radius of " + mm(cause.radius) + ", which this blade may only down to " +
-              mm(cause.limit);
+      text += "that bend to a radius of " + mmBeside(cause.radius, cause.limit) +
+              ", which this blade may only down to " + mm(cause.limit);
       break;
     case Fault::crossing:
       text += "that cross themselves";
@@ -510,17 +517,19 @@ std::string Sentences::operator()(const LostOnTheWay& cause) const {
 }
 
 std::string Sentences::operator()(const TooFarOnTheWay& cause) const {
-  return "between the stations, as the robots move it, the blade is up to " + mm(cause.deviation) +
-         " from the target (tolerance " + mm(cause.tolerance) + "); " +
-         moreStationsText(finding, "take more stations") +
+  const std::string text = "between the stations, as the robots move it, the blade is up to " +
+                           mmBeside(cause.deviation, cause.tolerance) + " from the target (tolerance " +
+                           mm(cause.tolerance) + "); ";
+  if (cause.unrested) return text + kUnrested;
+  return text + moreStationsText(finding, "take more stations") +
          ", or a smaller motion tolerance, which sets the targets more closely";
 }
 
 std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
-  return at() + "on the way from there to the next station the blade is up to " + mm(cause.distance) +
-         " from the surface shown (motion tolerance " + mm(cause.tolerance) +
-         "), and the targets of the program bring it no nearer; " +
-         moreStationsText(finding, "take more stations");
+  return at() + "on the way from there to the next station the blade is up to " +
+         mmBeside(cause.distance, cause.tolerance) + " from the surface shown (motion tolerance " +
+         mm(cause.tolerance) + "), and the targets of the program bring it no nearer; " +
+         (cause.unrested ? kUnrested : moreStationsText(finding, "take more stations"));
 }
 
 std::string Sentences::operator()(const TooFastOnTheWay& cause) const {
@@ -549,14 +558,15 @@ std::string jointRemedy(bool atStations) {
 }  // namespace
 
 std::string Sentences::operator()(const JointGap& cause) const {
-  return cause.one + " and " + cause.other + " meet with a gap of up to " + mm(cause.gap) +
+  return cause.one + " and " + cause.other + " meet with a gap of up to " + mmBeside(cause.gap, cause.limit) +
          ", more than the " + mm(cause.limit) + " allowed; " + jointRemedy(cause.atStations > cause.limit);
 }
 
 std::string Sentences::operator()(const JointKink& cause) const {
   return cause.one + " and " + cause.other + " meet with a kink of up to " +
-         shortText(toDegrees(cause.angle)) + "°, more than the " + shortText(toDegrees(cause.limit)) +
-         "° allowed; " + jointRemedy(cause.atStations > cause.limit);
+         shortText(toDegrees(cause.angle), digitsBeside(toDegrees(cause.angle), toDegrees(cause.limit), 3)) +
+         "°, more than the " + shortText(toDegrees(cause.limit)) + "° allowed; " +
+         jointRemedy(cause.atStations > cause.limit);
 }
 
 std::string Sentences::operator()(const JointOpen& cause) const {

@@ -21,6 +21,7 @@ struct Overall {
   double cuttingTime = 0;             ///< s, with the leads, without entry and exit
   double runTime = 0;                 ///< s, with these
   std::size_t stations = 0;
+  std::size_t lost = 0;  ///< of them those at which the blade does not rest as shown
 };
 Overall overallOf(const Evaluation& evaluation);
 

@@ -275,11 +275,13 @@ struct LostOnTheWay {
 struct TooFarOnTheWay {
   static constexpr FindingKind kind = FindingKind::deviation;
   double deviation = 0, tolerance = 0;
+  bool unrested = false;  ///< the blade does not keep its shape, as others tell: more stations do not help
 };
 /// Between the stations the blade leaves the surface shown, however many targets the robots have.
 struct OffTheSurfaceShown {
   static constexpr FindingKind kind = FindingKind::motion;
   double distance = 0, tolerance = 0;
+  bool unrested = false;  ///< as above
 };
 /// A point of the blade goes faster than the cutting speed as the program is run.
 struct TooFastOnTheWay {
@@ -320,6 +322,9 @@ struct SectionShort {
 struct SectionBranches {
   static constexpr FindingKind kind = FindingKind::sectionBranches;
   int least = 0, most = 0;  ///< separate curves over the range
+  /// mm by which one of them leaves the block through its top, or its bottom, and comes back as another; 0
+  /// where none does, or by another side, too.
+  double above = 0, below = 0;
 };
 struct SectionClosed {
   static constexpr FindingKind kind = FindingKind::sectionClosed;
@@ -368,6 +373,7 @@ struct LargestFace {
   int faces = 0;  ///< of the file
   /// A plane, cylinder or cone that is larger.
   std::optional<FaceName> larger = std::nullopt;
+  double left = 0;  ///< mm² of the other faces of a file that holds sheets alone
 };
 struct NearestFace {
   static constexpr FindingKind kind = FindingKind::face;
@@ -397,6 +403,7 @@ struct ChosenDirection {
     bool failed = false;
     double angle = 0, deviation = 0;
     int unusable = 0, stations = 0;
+    int unrested = 0;  ///< stations at which the blade does not rest
   };
   Trial chosen, usual;
 };
