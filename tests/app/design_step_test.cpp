@@ -3,6 +3,10 @@
 //
 // A surface that is designed in the window: its kind, its numbers, its formula, the variables.
 
+#include <QApplication>
+#include <QScrollArea>
+#include <QScrollBar>
+
 #include <algorithm>
 
 #include "bw/core/base/units.h"
@@ -334,8 +338,21 @@ TEST_F(DesignStep, NumbersThatMakeNoSurfaceAreRefused) {
   const Design before = bench().design();
   type<NumberField>("At y of key blade 3", "0");
   EXPECT_EQ(bench().design(), before);
-  type<NumberField>("Length of key blade 1", "-5");
-  EXPECT_EQ(bench().design(), before);
+  std::vector<Notice> told;
+  QObject::connect(&bench(), &Workbench::noticed, &window(), [&told](const Notice& n) { told.push_back(n); });
+  for (const auto& [name, text] :
+       {std::pair("Length of key blade 1", "-5"), {"Bend of key blade 2", "-60"}}) {
+    type<NumberField>(name, text);
+    EXPECT_EQ(bench().design(), before);
+    const auto* field = find<NumberField>(name);
+    EXPECT_TRUE(field->refused()) << name;
+    EXPECT_NE(field->refusal().indexOf("key blade"), -1) << field->refusal().toStdString();
+  }
+  EXPECT_TRUE(told.empty()) << "it is told where it is typed";
+  // A number that can be takes the refusal away.
+  type<NumberField>("Length of key blade 1", "650");
+  EXPECT_FALSE(find<NumberField>("Length of key blade 1")->refused());
+  EXPECT_EQ(shape<BladesSurface>().blades[0].length, 650);
   EXPECT_EQ(find<NumberField>("At y of key blade 3")->value(), 540) << "the field shows what holds";
   type<NumberField>("At y of key blade 3", "500");
   EXPECT_EQ(shape<BladesSurface>().blades[2].y, 500);
@@ -387,14 +404,34 @@ TEST_F(DesignStep, ACutWhosePlanesTurnBecomesKeyBladesThatTurnAndItsResultTheDes
   EXPECT_EQ(shape<BladesSurface>().blades[1].y, 200);
 }
 
+TEST_F(DesignStep, AnotherDesignBeginsAtTheFirstStep) {
+  open("three-block-wall");
+  auto* panel = window().findChild<WorkflowPanel*>();
+  ASSERT_TRUE(panel);
+  panel->verticalScrollBar()->setValue(panel->verticalScrollBar()->maximum());
+  ASSERT_GT(panel->verticalScrollBar()->value(), 0);
+  open("ripple-along");
+  EXPECT_EQ(panel->verticalScrollBar()->value(), 0);
+}
+
 TEST_F(DesignStep, TheCurveOfASectionIsChosen) {
   open("three-block-wall");
   auto* curve = find<ChoiceField>("Curve of section 1");
   ASSERT_TRUE(curve);
   EXPECT_EQ(curve->currentIndex(), 1);
   const std::vector<Eigen::Vector2d> points = shape<SectionsSurface>().sections[0].points;
+  // The line that is chosen in stays where it is, and no other one gets the keyboard.
+  QScrollArea* area = nullptr;
+  for (QWidget* at = curve; at && !area; at = at->parentWidget()) area = qobject_cast<QScrollArea*>(at);
+  ASSERT_TRUE(area);
+  area->ensureWidgetVisible(find<ChoiceField>("Curve of section 2"));
+  const int scrolled = area->verticalScrollBar()->value();
+  curve->setFocus();
   emit curve->activated(0);
   ASSERT_TRUE(settle());
+  EXPECT_EQ(area->verticalScrollBar()->value(), scrolled);
+  ASSERT_TRUE(QApplication::focusWidget());
+  EXPECT_FALSE(area->isAncestorOf(QApplication::focusWidget()));
   ASSERT_TRUE(bench().current());
   const std::vector<Eigen::Vector2d> poles = shape<SectionsSurface>().sections[0].points;
   ASSERT_EQ(poles.size(), 3 * (points.size() - 1) + 1);

@@ -442,6 +442,37 @@ TEST(Sketch, TellsWhereABladeComesNearTheFaceThatTheBlockLiesOn) {
   }
 }
 
+TEST(Sketch, TellsWhereTheSurfaceLeavesItsBlock) {
+  // A block that ends little above its surface, which is pulled up as a whole.
+  const double crest = evaluated(pulled(0))->cut().target.value->bounds().max.z();
+  const auto raised = [crest](double up) {
+    Design design = pulled(0);
+    BlockPlacement& block = *design.stock.front().placement;
+    block.size.z() = crest - block.origin.z() + 5;
+    for (SurfacePole& pole : std::get<PolesSurface>(design.source().surface->shape).poles) pole.height += up;
+    return design;
+  };
+  const std::shared_ptr<const Evaluation> first = evaluated(raised(0));
+  Sketcher sketcher(first);
+  const std::optional<Sketch> within = sketcher.draw(raised(1), {});
+  ASSERT_TRUE(within);
+  EXPECT_EQ(within->blocks[0][0].left, 0);
+  EXPECT_EQ(barOf(*within), Bar::none);
+  // The crest comes out through the top: two parts are left of some sections.
+  const std::optional<Sketch> out = sketcher.draw(raised(25), {});
+  ASSERT_TRUE(out);
+  EXPECT_GT(out->blocks[0][0].left, 0);
+  EXPECT_EQ(barOf(*out), Bar::outside);
+  // An evaluation finds no more of the way than that.
+  ReachSearch search(first, raised, 60);
+  while (search.look({}) || search.confirm({})) {
+  }
+  EXPECT_EQ(search.reach().ends[1].bar, Bar::outside);
+  EXPECT_TRUE(search.reach().ends[1].known);
+  EXPECT_LT(search.reach().ends[1].free, 25);
+  EXPECT_GT(search.reach().ends[1].free, 3);
+}
+
 TEST(Sketch, ComesBeforeTheEvaluationOfADrag) {
   model::EvaluationRunner runner;
   QSignalSpy finished(&runner, &model::EvaluationRunner::finished),

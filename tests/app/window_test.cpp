@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 #include <QMenu>
+#include <QTextLayout>
 
 #include "window_fixture.h"
 
@@ -312,6 +313,48 @@ TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
   }
   EXPECT_GE(clicked, 0) << "no message leads to a station";
   picture("messages");
+}
+
+TEST_F(WindowTest, MessagesAreReadWholeInEveryWidth) {
+  openPanel();
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.001; });
+  ASSERT_TRUE(settle());
+  window().commands()["tab.messages"]->trigger();
+  MessageList& list = window().messageList();
+  ASSERT_GT(list.count(), 1);
+  const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
+  for (int width = 1200; width < 1400; width += 3) {
+    window().resize(width, 800);
+    QTest::qWait(0);
+    for (int i = 0; i < list.count(); ++i) {
+      const QListWidgetItem& item = *list.item(i);
+      QStyleOptionViewItem option;
+      option.initFrom(&list);
+      option.font = list.font();
+      option.fontMetrics = list.fontMetrics();
+      option.rect = list.visualItemRect(&item);
+      option.features = QStyleOptionViewItem::HasDecoration | QStyleOptionViewItem::HasDisplay |
+                        QStyleOptionViewItem::WrapText;
+      option.icon = item.icon();
+      option.decorationSize = list.iconSize();
+      option.text = item.text();
+      option.displayAlignment = Qt::AlignLeft | Qt::AlignVCenter;
+      const QRect room = list.style()->subElementRect(QStyle::SE_ItemViewItemText, &option, &list);
+      QTextLayout text(item.text(), list.font());
+      QTextOption wrapped;
+      wrapped.setWrapMode(QTextOption::WordWrap);
+      text.setTextOption(wrapped);
+      text.beginLayout();
+      double height = 0;
+      for (QTextLine line = text.createLine(); line.isValid(); line = text.createLine()) {
+        line.setLineWidth(room.width() - 2 * margin);
+        height += line.height();
+      }
+      text.endLayout();
+      EXPECT_LE(height, room.height() + 0.5) << width << ": " << item.text().toStdString();
+      EXPECT_LE(option.rect.right(), list.viewport()->width()) << width;
+    }
+  }
 }
 
 TEST_F(WindowTest, DoesWhatAMessageAdvises) {

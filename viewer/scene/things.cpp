@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bw/core/sweep/maps.h"
 
@@ -54,6 +55,26 @@ std::vector<double> pointAreas(const TriangleMesh& mesh) {
   return areas;
 }
 
+/// Has a mesh end where the depths of its points fall to 0: triangles below are dropped, and points of those
+/// on the border that lie below are moved to it, along their edges.
+void endWhereLeft(TriangleMesh& mesh, const std::vector<double>& depths) {
+  const auto gone = [&](int corner) { return depths[std::size_t(corner)] < 0; };
+  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) { return std::ranges::all_of(t, gone); });
+  std::map<int, std::pair<Eigen::Vector3d, int>> border;  // the sum of places, and how many they are
+  for (const std::array<int, 3>& t : mesh.triangles)
+    for (const int out : t)
+      for (const int in : t) {
+        if (!gone(out) || gone(in)) continue;
+        const double part = depths[std::size_t(in)] / (depths[std::size_t(in)] - depths[std::size_t(out)]);
+        const Eigen::Vector3d &a = mesh.points[std::size_t(in)], &b = mesh.points[std::size_t(out)];
+        if (!std::isfinite(part) || !a.allFinite() || !b.allFinite()) continue;
+        auto& [sum, count] = border.try_emplace(out, Eigen::Vector3d::Zero(), 0).first->second;
+        sum += a + part * (b - a);
+        ++count;
+      }
+  for (const auto& [point, places] : border) mesh.points[std::size_t(point)] = places.first / places.second;
+}
+
 /// The mesh of a row's cut surface.
 void makeMesh(Row& row) {
   row.mesh = {};
@@ -65,10 +86,7 @@ void makeMesh(Row& row) {
       grid.points.size() != std::size_t(grid.rows) * std::size_t(grid.columns))
     return;
   row.mesh = grid.triangles();
-  if (row.cut->depths.size() == grid.points.size())
-    std::erase_if(row.mesh.triangles, [&](const std::array<int, 3>& t) {
-      return std::ranges::all_of(t, [&](int corner) { return row.cut->depths[std::size_t(corner)] < 0; });
-    });
+  if (row.cut->depths.size() == grid.points.size()) endWhereLeft(row.mesh, row.cut->depths);
   cleanMesh(row.mesh);
   row.areas = pointAreas(row.mesh);
 }

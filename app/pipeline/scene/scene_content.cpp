@@ -27,20 +27,38 @@ constexpr int kCurvePoints = 65;
 constexpr double kMarkSpacing = 10;
 
 /// The longest stretch of a station's curve that no other cut takes; `depths` are those of its row, evenly
-/// along it. A point where everything is taken.
-std::vector<Eigen::Vector3d> leftOf(std::vector<Eigen::Vector3d> curve, std::span<const double> depths) {
-  std::size_t from = 0, to = 0, begin = 0;
-  for (std::size_t k = 0; k <= curve.size(); ++k) {
-    const std::size_t at = k * (depths.size() - 1) / (curve.size() - 1);
-    if (k < curve.size() && depths[at] >= 0) continue;
-    if (k - begin > to - from) {
-      from = begin;
-      to = k;
+/// along it, and are even between two of them. A point where everything is taken.
+std::vector<Eigen::Vector3d> leftOf(const std::vector<Eigen::Vector3d>& curve,
+                                    std::span<const double> depths) {
+  const auto crossing = [&](std::size_t in, std::size_t out) {
+    const double part = depths[in] / (depths[in] - depths[out]);
+    return std::isfinite(part) ? part : 1.0;
+  };
+  double from = 0, to = 0;
+  for (std::size_t begin = 0; begin < depths.size(); ++begin) {
+    if (depths[begin] < 0) continue;
+    std::size_t end = begin;
+    while (end + 1 < depths.size() && depths[end + 1] >= 0) ++end;
+    const double first = begin > 0 ? double(begin) - crossing(begin, begin - 1) : 0;
+    const double last = end + 1 < depths.size() ? double(end) + crossing(end, end + 1) : double(end);
+    if (last - first > to - from) {
+      from = first;
+      to = last;
     }
-    begin = k + 1;
+    begin = end;
   }
-  if (to - from < 2) return {curve.front(), curve.front()};
-  return {curve.begin() + std::ptrdiff_t(from), curve.begin() + std::ptrdiff_t(to)};
+  if (!(to > from)) return {curve.front(), curve.front()};
+  const double ofCurve = double(curve.size() - 1) / double(depths.size() - 1);
+  const auto at = [&](double place) {
+    const auto k = std::min(std::size_t(place), curve.size() - 2);
+    return Eigen::Vector3d(curve[k] + (place - double(k)) * (curve[k + 1] - curve[k]));
+  };
+  from *= ofCurve;
+  to *= ofCurve;
+  std::vector<Eigen::Vector3d> left = {at(from)};
+  for (auto k = std::size_t(from) + 1; double(k) < to; ++k) left.push_back(curve[k]);
+  left.push_back(at(to));
+  return left;
 }
 
 /// A crease, told apart by whether it is as far from that designed as the tolerance lets it; a stretch that
@@ -106,8 +124,8 @@ void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, 
     const BladePose& pose = sweep.poses[i];
     stations.lines.push_back(pose.cutPoints(kCurvePoints));
     if (!depths.empty() && i < rows.size())
-      stations.lines.back() = leftOf(std::move(stations.lines.back()),
-                                     std::span(depths).subspan(std::size_t(rows[i]) * columns, columns));
+      stations.lines.back() =
+          leftOf(stations.lines.back(), std::span(depths).subspan(std::size_t(rows[i]) * columns, columns));
     blades.lines.push_back(pose.bladePoints(kCurvePoints));
   }
   content.add(row, scene::CutSurface{std::move(cut),

@@ -143,4 +143,15 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   return true;
 }
 
+int LiveCut::left() const {
+  // Of a row that is divided otherwise, only those within it are known.
+  const auto leftOf = [&](const Sweep& row) {
+    const bool counted =
+        !planes_.sections.spacing && planes_.sections.stations == began_.sections.request.sections.stations;
+    const int within = row.poses.back().index - row.poses.front().index + 1;
+    return (counted ? planes_.sections.stations.value_or(within) : within) - int(row.poses.size());
+  };
+  return sweep_ ? std::max(0, leftOf(*sweep_) - leftOf(*began_.sweep.value)) : 0;
+}
+
 }  // namespace bw::pipeline

@@ -45,6 +45,8 @@ class LiveCut {
   const std::shared_ptr<const geometry::Setup>& setup() const { return setup_; }
   const std::shared_ptr<const Sweep>& sweep() const { return sweep_; }
   const std::shared_ptr<const RowSketch>& look() const { return look_; }
+  /// Stations that are left out, beside those that were.
+  int left() const;
 
  private:
   /// What row and look are made for, beside the sections.

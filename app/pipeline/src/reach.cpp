@@ -20,6 +20,7 @@ Bar barOf(const Sketch& sketch, double deviation) {
   for (const std::vector<CutSketch>& block : sketch.blocks)
     for (const CutSketch& cut : block) {
       const RowSketch& look = *cut.look;
+      meet(cut.left > 0, Bar::outside);
       meet(look.minRadius > 0 && look.minRadius < cut.sweep->request.blade.minRadius(), Bar::tooTight);
       meet(std::ranges::find(look.crosses, 1) != look.crosses.end(), Bar::crosses);
       meet(std::ranges::any_of(look.rest,
@@ -45,6 +46,13 @@ bool losesShape(const Evaluation& evaluation) {
     constexpr std::array kinds = {FindingKind::fit,    FindingKind::stability, FindingKind::outOfPlane,
                                   FindingKind::weight, FindingKind::certainty, FindingKind::motion};
     return finding.severity == Severity::error && std::ranges::find(kinds, finding.kind()) != kinds.end();
+  });
+}
+
+/// True if an evaluation tells that some of the surface is not cut.
+bool leavesSome(const Evaluation& evaluation) {
+  return std::ranges::any_of(evaluation.findings(), [](const Finding& finding) {
+    return finding.severity == Severity::error && finding.kind() == FindingKind::coverage;
   });
 }
 
@@ -137,6 +145,7 @@ bool ReachSearch::confirm(const RunContext& context) {
     // Looked at as sketches are, from itself: its blades are where it has them.
     const auto evaluation = std::make_shared<const Evaluation>(std::move(outcome.evaluation));
     if (const std::optional<Sketch> sketch = Sketcher(evaluation).draw(design, context)) bar = barOf(*sketch);
+    if (bar == Bar::none && leavesSome(*evaluation) && !leavesSome(*from_)) bar = Bar::outside;
     if (bar == Bar::none && leavesSurface(*evaluation)) bar = Bar::tooFar;
     if (bar == Bar::none && losesShape(*evaluation) && !losesShape(*from_)) bar = Bar::lost;
   }

@@ -236,7 +236,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     painter.drawText(rect(), Qt::AlignCenter, tr("The motion stands here as soon as a result is there."));
     return;
   }
-  if (bench_.stale()) painter.setOpacity(kStaleOpacity);
+  if (bench_.stale() || bench_.sketch()) painter.setOpacity(kStaleOpacity);
   const double height = this->height() - kTop - kAxis;
   const double gap = 8;
   const std::vector<Track> all = tracks();

@@ -32,6 +32,8 @@ QString wordsOf(pipeline::Bar bar) {
   switch (bar) {
     case pipeline::Bar::noBlade:
       return words("no blade can be laid on it");
+    case pipeline::Bar::outside:
+      return words("some of the surface would leave the block");
     case pipeline::Bar::tooTight:
       return words("the blade would bend sharper than it may");
     case pipeline::Bar::crosses:

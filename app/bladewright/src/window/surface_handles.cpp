@@ -612,6 +612,7 @@ void SurfaceHandles::keepWithin() {
     may = {lastBefore(stop->free, pulledFrom(), pull_->step), stop->bar};
   }
   QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
+  if (may.stoppedBy && reach && !reach->ends[side].known) why += tr("; being looked at more closely");
   double by = may.by;
   if (const double ordered = orderedBy(by); ordered != by) {
     by = lastBefore(ordered, pulledFrom(), pull_->step);

@@ -180,7 +180,8 @@ void MainWindow::refreshStyle() {
   style.selected = style.moving = selectedRow();
   style.selected.station = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
-  if (bench_.moving()) style.movingBlade = bench_.bladeAt(bench_.playTime());
+  // While a hand moves something the blade stands where the row has it: the run is that of the result.
+  if (bench_.moving() && !bench_.sketch()) style.movingBlade = bench_.bladeAt(bench_.playTime());
   style.section = sectionPlane();
   style.marker = marker_;
   // Where surfaces that follow a hand meet is not measured.

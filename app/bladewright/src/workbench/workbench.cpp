@@ -62,7 +62,9 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&runner_, &model::EvaluationRunner::progressed, this, [this] { tellChanged(Aspect::progress); });
   connect(&runner_, &model::EvaluationRunner::cancelled, this, [this] {
     if (!current() && !document_.empty())
-      tell({Severity::info, tr("Stopped. The picture shows the result before the last change."),
+      tell({Severity::info,
+            runner_.evaluation() ? tr("Stopped. The picture shows the result before the last change.")
+                                 : tr("Stopped before there was a result."),
             tr("Compute"), [this] { runner_.evaluate(document_.design()); }, Topic::evaluation});
     tellChanged(Aspect::state);
   });

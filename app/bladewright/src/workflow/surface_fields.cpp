@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -32,6 +33,39 @@ constexpr int kLineSpacing = 6;  // as between the lines of a form
 constexpr int kMostColumns = 4;  // of poles beside each other; more scroll
 
 std::string at(const std::string& list, std::size_t i) { return list + "/" + std::to_string(i); }
+
+/// What the keyboard and the eye had in lines that are made anew: a line that goes would leave the keyboard
+/// to whatever comes next, and that would come into sight.
+class KeptPlace {
+ public:
+  explicit KeptPlace(QWidget& lines) : lines_(lines) {
+    for (QWidget* at = lines.parentWidget(); at && !area_; at = at->parentWidget())
+      area_ = qobject_cast<QScrollArea*>(at);
+    if (area_) scrolled_ = area_->verticalScrollBar()->value();
+    QWidget* held = QApplication::focusWidget();
+    if (!held || !lines.isAncestorOf(held)) return;
+    // What is chosen or pressed gives it back, what is typed in keeps it.
+    if (qobject_cast<TypedField*>(held)) name_ = held->accessibleName();
+    if (!name_.isEmpty() || !returnKeyboard(lines)) held->clearFocus();
+  }
+  void restore() const {
+    if (!name_.isEmpty())
+      for (auto* line : lines_.findChildren<TypedField*>())
+        if (line->accessibleName() == name_ && !line->isHidden()) line->setFocus();
+    if (!area_) return;
+    // Lines that went leave their room to those that came once these are laid out.
+    QTimer::singleShot(0, area_, [area = area_, to = scrolled_] {
+      if (QWidget* content = area->widget(); content && content->layout()) content->layout()->activate();
+      area->verticalScrollBar()->setValue(to);
+    });
+  }
+
+ private:
+  QWidget& lines_;
+  QScrollArea* area_ = nullptr;
+  int scrolled_ = 0;
+  QString name_;
+};
 
 /// Why a section or a key blade, which `what` names, cannot lie at y; nothing if it can.
 template <class Curve>
@@ -219,10 +253,7 @@ void SurfaceFields::refresh() {
 }
 
 void SurfaceFields::rebuild(const DesignedSurface& surface) {
-  // A button that goes would leave the keyboard to whatever comes next.
-  if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
-      button && isAncestorOf(button))
-    returnKeyboard(*this);
+  const KeptPlace place(*this);
   empty(*layout_);
   numbers_.clear();
   ends_.clear();
@@ -238,6 +269,7 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
   if (std::holds_alternative<FormulaSurface>(surface.shape)) addFormula(column);
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) addSections(column, *loft);
   if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) addBlades(column, *blades);
+  place.restore();
   // The keyboard goes from the kind through these lines, which came last.
   QWidget* before = kinds_;
   for (QWidget* line : column->findChildren<QWidget*>()) {
@@ -254,6 +286,11 @@ NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, cons
   field->setToolTip(name);
   connect(field, &NumberField::edited, this, [this, get, name, scale = unit.scale](double value) {
     edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) { get(surface) = value * scale; });
+  });
+  // What no surface may have is refused where it is typed.
+  field->setCheck([this, get, scale = unit.scale](double value) {
+    const Result<Design> changed = changedBy([&](DesignedSurface& surface) { get(surface) = value * scale; });
+    return changed ? QString() : bench_.asSentence(QString::fromStdString(changed.error().message));
   });
   bindNumber(bench_, field, place);
   numbers_.push_back({field, get, unit.scale});
@@ -567,15 +604,19 @@ std::string SurfaceFields::pointer() const {
   return "/sources/" + std::to_string(&bench_.source() - bench_.design().sources.data()) + "/surface";
 }
 
-void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
+Result<Design> SurfaceFields::changedBy(const std::function<void(DesignedSurface&)>& change) const {
   Design changed = bench_.design();
   change(*changed.sourceOf(bench_.cut()).surface);
-  if (Result<void> ok = holdEnds(changed, bench_.design()); !ok) {
-    bench_.tell(Topic::other, ok.error());
-    return refresh();
-  }
+  if (Result<void> ok = holdEnds(changed, bench_.design()); !ok) return tl::unexpected<Error>(ok.error());
   holdTangents(changed, bench_.design());
-  take(text, changed);
+  return resolved(changed);
+}
+
+void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
+  Result<Design> changed = changedBy(change);
+  if (changed) return bench_.editDesign(text, [&](Design& design) { design = std::move(*changed); });
+  bench_.tell(Topic::other, changed.error());
+  refresh();
 }
 
 void SurfaceFields::take(const QString& text, const Design& changed) {

@@ -90,6 +90,8 @@ class SurfaceFields : public QWidget {
   }
   /// The JSON pointer of the surface shown.
   std::string pointer() const;
+  /// The design with such a surface; an error where that is none.
+  Result<Design> changedBy(const std::function<void(DesignedSurface&)>& change) const;
   void edit(const QString& text, const std::function<void(DesignedSurface&)>& change);
   /// Takes a changed design, resolved, or tells why not.
   void take(const QString& text, const Design& changed);

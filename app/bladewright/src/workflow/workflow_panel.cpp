@@ -4,6 +4,8 @@
 
 #include <QEvent>
 #include <QPainter>
+#include <QScrollBar>
+#include <QTimer>
 
 #include "controls/fields.h"
 
@@ -131,6 +133,11 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
   layout->addStretch();
   setWidget(page);
   connect(&bench, &Workbench::changed, this, &WorkflowPanel::follow);
+  // Another design begins at the first step, also where lines of the one before are still on their way.
+  connect(&bench.document(), &model::Document::replaced, this, [this] {
+    verticalScrollBar()->setValue(0);
+    QTimer::singleShot(0, this, [this] { verticalScrollBar()->setValue(0); });
+  });
   follow({Aspect::design | Aspect::state});
 }
 

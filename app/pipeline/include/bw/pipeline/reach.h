@@ -15,6 +15,7 @@ namespace bw::pipeline {
 enum class Bar {
   none,
   noBlade,   ///< no blade can be laid on it: none is long enough, or none is found
+  outside,   ///< at a station the surface lies outside of the block, or leaves it and comes back
   tooTight,  ///< a blade bends sharper than it may
   crosses,   ///< a blade crosses itself, or its grips lie the wrong way round
   lost,      ///< nothing keeps a blade in its shape, or it is not known what does

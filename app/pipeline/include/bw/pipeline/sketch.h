@@ -19,6 +19,9 @@ struct CutSketch {
   std::shared_ptr<const geometry::Setup> setup;
   std::shared_ptr<const Sweep> sweep;
   std::shared_ptr<const RowSketch> look;
+  /// Stations that are left out, beside those that were: there is no single curve of the surface in the
+  /// block.
+  int left = 0;
 };
 
 /// What follows a hand while it changes a design: of each cut surface, blades and what is seen of them at the
