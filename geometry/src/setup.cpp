@@ -19,10 +19,10 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kThinnest = 1e-3;     // mm of a block's sides
-constexpr double kAsLong = 1e-6;       // of a side: one longer by less is as long
-constexpr double kMargin = 5.0;        // mm of foam below and above the target
-constexpr double kMostBetween = 0.25;  // of the base: more is not added for holes and notches
+constexpr double kThinnest = 1e-3;    // mm of a block's sides
+constexpr double kAsLong = 1e-6;      // of a side: one longer by less is as long
+constexpr double kMargin = 5.0;       // mm of foam below and above the target
+constexpr double kMostBetween = 0.1;  // of the base: more is not added for holes and notches
 constexpr double kNearlyAsSmall =
     1.5;  // an axis-parallel block up to this much larger is taken for its simplicity
 constexpr double kDirectedNormal =

@@ -591,6 +591,18 @@ TEST(Sketch, ABorderThatAnEvaluationDoesNotBarIsNone) {
     EXPECT_GT(std::abs(end.free), 4) << "where sketches lost sight of them";
     EXPECT_TRUE(search.reach().knows(std::copysign(kFarthest, end.free)));
   }
+  // What is wanted not far beyond a border of sketches takes one evaluation.
+  ReachSearch wanted(evaluated(0), pulledBy, kFarthest);
+  while (wanted.look({})) {
+  }
+  ASSERT_TRUE(wanted.unsure());
+  const double border = wanted.reach().ends[1].free, aim = border + 2;
+  ASSERT_LT(aim, kFarthest);
+  EXPECT_FALSE(wanted.reach().knows(aim));
+  wanted.aim(aim);
+  ASSERT_TRUE(wanted.confirm({}));
+  EXPECT_TRUE(wanted.reach().knows(aim));
+  EXPECT_EQ(wanted.reach().ends[1].free, aim);
 }
 
 }  // namespace

@@ -290,7 +290,9 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
   picture("handle-stopped");
   EXPECT_NE(handles().text.find("Goes no farther"), std::string::npos) << handles().text;
   // Until an evaluation has told it, the reason is not told as one that is known.
-  const auto closer = [&] { return handles().text.find("being looked at more closely") != std::string::npos; };
+  const auto closer = [&] {
+    return handles().text.find("being looked at more closely") != std::string::npos;
+  };
   EXPECT_TRUE(QTest::qWaitFor([&] { return reach->ends[1].known == !closer(); }, 100));
   ASSERT_TRUE(QTest::qWaitFor([&] { return reach->ends[1].known && !closer(); }, kPatience));
   EXPECT_NE(handles().text.find("Goes no farther"), std::string::npos) << handles().text;

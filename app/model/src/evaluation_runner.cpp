@@ -297,9 +297,9 @@ void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthe
 
 void EvaluationRunner::endReach() { seekReach({}, 0); }
 
-void EvaluationRunner::preferReach(bool above) {
+void EvaluationRunner::aimReach(double by) {
   const std::lock_guard lock(mutex_);
-  reachAbove_ = above;
+  reachAim_ = by;
 }
 
 void EvaluationRunner::takeSearch() {
@@ -330,7 +330,7 @@ bool EvaluationRunner::confirmBorder(const std::stop_token& end) {
     running_ = std::stop_source();
     context.stop = running_.get_token();
     secondThoughts_ = true;  // whatever is asked for comes first
-    search_->prefer(reachAbove_);
+    search_->aim(reachAim_);
   }
   seek([&] { search_->confirm(context); });
   const std::lock_guard lock(mutex_);

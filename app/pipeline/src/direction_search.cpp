@@ -41,10 +41,16 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   const Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, planes}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
+  // How well the shape of a blade can follow, whatever the row makes of it for margin and weight.
+  FitRequest weightless = request.fit;
+  weightless.weight.setZero();
+  const Result<Sweep> fits = fitSweep(*sections, weightless, block, planes, context);
+  if (!fits) return failed(fits.error());
+  for (const StationFit& fit : fits->fits)
+    trial.deviationMax = std::max(trial.deviationMax, fit.fit.hausdorff);
   // A length that is still to be chosen is long enough for every way, and tells nothing of what would rest.
   const bool ownLength = !request.fit.blade.autoLength;
-  FitRequest asked = request.fit;
-  if (!ownLength) asked.weight.setZero();
+  const FitRequest& asked = ownLength ? request.fit : weightless;
   const Result<Sweep> row = buildSweep(*sections, asked, block, planes, context, ignored);
   if (!row) return failed(row.error());
   const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
@@ -57,7 +63,6 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
     if (fit.status == FitStatus::infeasible || row->poses[i].maxCurvature() > curvatureLimit ||
         station.clearance < 0)
       ++trial.unusable;
-    trial.deviationMax = std::max(trial.deviationMax, fit.hausdorff);
     trial.angleMax = std::max(trial.angleMax, station.angleMax);
     const bool rests = !row->fits[i].snapsAt && station.stable &&
                        std::min(station.stabilityMargin, station.outOfPlaneMargin) > 0;

@@ -132,12 +132,21 @@ bool ReachSearch::look(const RunContext& context) {
 }
 
 bool ReachSearch::confirm(const RunContext& context) {
-  const std::size_t i = unsure(first_) ? first_ : 1 - first_;
+  const std::size_t aimed = aim_ < 0 ? 0 : 1, i = unsure(aimed) ? aimed : 1 - aimed;
   if (!unsure(i)) return false;
   Side& side = sides_[i];
   Reach::End& end = reach_.ends[i];
   const double sign = i == 0 ? -1 : 1, free = std::abs(end.free);
-  const double by = !side.proved ? side.barred : side.sure < free ? free : 0.5 * (free + side.barred);
+  const double wanted = i == aimed ? std::abs(aim_) : 0;
+  double by = side.barred;
+  if (side.proved) {
+    by = side.sure < free ? free : 0.5 * (free + side.barred);
+  } else if (wanted > free) {
+    // Where sketches lost sight of the blades, nothing is said of where they would be barred.
+    const bool lost = end.bar == Bar::lost || end.bar == Bar::noBlade;
+    if (lost) by = std::max(by, free + std::max(side.step, kStepShare * free));
+    by = std::min(by, std::max(wanted, side.sure > 0 ? free : side.barred));
+  }
   const Design design = at_(sign * by);
   Outcome outcome = evaluate(design, from_.get(), context);
   Bar bar = Bar::noBlade;
@@ -162,7 +171,8 @@ bool ReachSearch::confirm(const RunContext& context) {
     if (!side.proved) {
       end.bar = Bar::none;
       end.known = by >= farthest_;
-      side.barred = std::min(farthest_, by + std::exchange(side.step, 2 * side.step));
+      const double step = std::max(std::exchange(side.step, 2 * side.step), kStepShare * by);
+      side.barred = std::min(farthest_, by + step);
     }
   }
   if (side.proved) {

@@ -204,7 +204,8 @@ std::optional<Sketch> Sketcher::draw(const Design& design, const RunContext& con
     std::vector<CutSketch>& own = sketch.blocks.emplace_back();
     for (const CutEvaluation& cut : block.cuts) {
       const LiveCut& live = cuts[index];
-      own.push_back({cut.id, work_->aims[index++].mesh, live.setup(), live.sweep(), live.look(), live.left()});
+      own.push_back(
+          {cut.id, work_->aims[index++].mesh, live.setup(), live.sweep(), live.look(), live.left()});
     }
   }
   sketch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

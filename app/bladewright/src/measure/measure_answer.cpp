@@ -29,6 +29,11 @@ QString changeText(double slope) {
          QString::fromStdString(fixedText(slope, std::abs(slope) < 9.95 ? 2 : 1)) + " mm";
 }
 
+/// True if the errors given do not allow for how much the readings differ.
+bool implausible(const CalibrationResult& result) {
+  return result.plausibility && *result.plausibility < kImplausible;
+}
+
 QString withError(const Estimate& estimate, const QString& value) {
   return estimate.error ? MeasureAnswer::tr("%1 ± %2").arg(value, lengthText(*estimate.error)) : value;
 }
@@ -133,7 +138,8 @@ void MeasureAnswer::refreshCommon() {
   if (!length)
     interval_->setText(outcome_.measured == 0 ? tr("Type a height, and the length follows.") : QString());
   else if (length->length.error)
-    interval_->setText(tr("95 % sure: %1 to %2 mm")
+    interval_->setText((implausible(*length) ? tr("By the errors given, which do not hold: %1 to %2 mm")
+                                             : tr("95 % sure: %1 to %2 mm"))
                            .arg(QString::fromStdString(fixedText(*length->length.low, 2)),
                                 QString::fromStdString(fixedText(*length->length.high, 2))));
   else
@@ -144,9 +150,11 @@ void MeasureAnswer::refreshCommon() {
   reference_->setVisible(length.has_value());
   QStringList fit;
   if (length && length->degreesOfFreedom > 0) {
-    fit << (length->plausibility ? tr("The errors given explain the scatter (%1 % chance)")
-                                       .arg(std::lround(100 * *length->plausibility))
-                                 : tr("Heights scatter by %1").arg(lengthText(length->sigma)));
+    fit << (length->plausibility
+                ? (implausible(*length) ? tr("The errors given do not explain the scatter (%1 % chance)")
+                                        : tr("The errors given explain the scatter (%1 % chance)"))
+                      .arg(QString::fromStdString(shortText(100 * *length->plausibility, 2)))
+                : tr("Heights scatter by %1").arg(lengthText(length->sigma)));
   }
   if (length && length->heightOffset)
     fit << tr("Heights read too much by %1")
@@ -212,8 +220,7 @@ void MeasureAnswer::tellProblem() {
                    .arg(i + 1)
                    .arg(radiusText(1 / measured->elastica.maxCurvature()), radiusText(limit));
     }
-    if (text.isEmpty() && outcome_.length && outcome_.length->plausibility &&
-        *outcome_.length->plausibility < kImplausible)
+    if (text.isEmpty() && outcome_.length && implausible(*outcome_.length))
       text =
           tr("The measurements differ more than the errors given allow; check the one that is furthest off.");
   }

@@ -257,6 +257,7 @@ class MainWindow : public QMainWindow {
   std::optional<scene::Marker> marker_;   ///< of the finding looked at, until something else is
   bool sectioned_ = false;                ///< the scene is cut open at the station or the moving blade
   double sectionSide_ = 1;                ///< of the station's normal: which half is taken away
+  int errors_ = 0;                        ///< among the messages
   bool staleShown_ = false;
   std::function<void()> ordered_;  ///< an export that waits for the result
   QElapsedTimer editClock_;

@@ -147,8 +147,7 @@ class WrappedText : public QStyledItemDelegate {
         own.fontMetrics.boundingRect(QRect(0, 0, room, 1 << 20), Qt::TextWordWrap, own.text).height();
     const QSize base = QStyledItemDelegate::sizeHint(option, index);
     // A row wider than the list would end beyond its border.
-    return {std::min(base.width(), view_->viewport()->width()),
-            std::max(base.height(), text + 2 * margin)};
+    return {std::min(base.width(), view_->viewport()->width()), std::max(base.height(), text + 2 * margin)};
   }
 
  private:

@@ -600,7 +600,7 @@ void SurfaceHandles::endPull() {
 
 void SurfaceHandles::keepWithin() {
   if (!pull_) return;
-  bench_.runner().preferReach(pull_->wished >= 0);
+  bench_.runner().aimReach(pull_->wished);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
   const std::size_t side = pull_->wished < 0 ? 0 : 1;

@@ -230,6 +230,7 @@ void MainWindow::makeWorkspace() {
     constexpr int kMost = 99;  // the bar has no room for more digits on a small screen
     const int loud = std::min(kMost, errors + warnings);
     tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages %1").arg(loud) : tr("Messages"));
+    if (std::exchange(errors_, errors) != errors) refreshSummary();
   });
 }
 
@@ -374,7 +375,9 @@ void MainWindow::summarise(const pipeline::CutSketch& sketch) {
   if (look.nearBottom)
     parts.push_back({tr("%1 above the bottom").arg(lengthText(look.aboveBottom)), 3, true});
   if (look.nearBlock)
-    parts.push_back({tr("a grip %1 from the block").arg(lengthText(look.clearance)), 3, true});
+    parts.push_back({(look.clearance < 0 ? tr("a grip %1 inside the block") : tr("a grip %1 from the block"))
+                         .arg(lengthText(std::abs(look.clearance))),
+                     3, true});
   if (lost + unknown + crossing == 0) parts.push_back({tr("all rest"), 3});
   summary_->setParts(parts, false);
 }
@@ -400,18 +403,20 @@ void MainWindow::refreshSummary() {
   const QString radius = radiusText(s.minRadius);
   const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
   const SweepLimits broken = brokenLimits(*result, bench_.shown()->design);
-  summary_->setParts(
-      {{tr("Unit mm")},
-       {whoseSummary(bench_) +
-            tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))),
-        4, broken.deviation || broken.between},
-       {(broken.between ? tr("%1 of the surface shown within tolerance") : tr("%1 within tolerance"))
-            .arg(percentText(s.withinTolerance)),
-        3, broken.deviation || broken.between},
-       {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
-       {speeds, 1, broken.speed},
-       {bend, 2, broken.radius}},
-      staleShown_);
+  std::vector<SummaryLine::Part> parts = {
+      {tr("Unit mm")},
+      {whoseSummary(bench_) +
+           tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))),
+       4, broken.deviation || broken.between},
+      {(broken.between ? tr("%1 of the surface shown within tolerance") : tr("%1 within tolerance"))
+           .arg(percentText(s.withinTolerance)),
+       3, broken.deviation || broken.between},
+      {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
+      {speeds, 1, broken.speed},
+      {bend, 2, broken.radius}};
+  // What the numbers hold or break is not all that may be wrong.
+  if (errors_ > 0) parts.push_back({errors_ == 1 ? tr("1 error") : tr("%1 errors").arg(errors_), 5, true});
+  summary_->setParts(parts, staleShown_);
 }
 
 }  // namespace bw::app

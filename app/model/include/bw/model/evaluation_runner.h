@@ -56,8 +56,8 @@ class EvaluationRunner : public QObject {
   /// makes the design that is moved by so much, `farthest` at most. What was sought before is forgotten.
   void seekReach(std::function<Design(double)> at, double farthest);
   void endReach();
-  /// The way that is to be known first, as it is sought from now on: above 0, or below.
-  void preferReach(bool above);
+  /// Where it is wanted, so that it is known first whether it may go there (`ReachSearch::aim`).
+  void aimReach(double by);
   /// What was found of it so far; empty where nothing was.
   const std::optional<pipeline::Reach>& reach() const { return reach_; }
   /// Stops whatever runs and forgets what waits.
@@ -146,7 +146,7 @@ class EvaluationRunner : public QObject {
   std::uint64_t reachNumber_ = 0;  // counts what was sought
   std::function<Design(double)> reachAt_;
   double reachFarthest_ = 0;
-  bool reachAbove_ = true;
+  double reachAim_ = 0;
 
   // Of the worker.
   std::optional<pipeline::Sketcher> sketcher_;  // from the newest result

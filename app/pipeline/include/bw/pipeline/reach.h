@@ -50,6 +50,7 @@ class ReachSearch {
  public:
   static constexpr double kNear = 1, kFirst = 4, kWithin = 0.5;
   static constexpr double kWithinShare = 0.05;  ///< of a way, as near as evaluations seek its end
+  static constexpr double kStepShare = 0.1;     ///< of a way, to the next evaluation, at least
 
   /// `at` makes the design that is moved by so much, in the unit of `farthest` (mm), beyond which nobody
   /// looks.
@@ -64,8 +65,9 @@ class ReachSearch {
   /// ever farther and back; and just before it, then, if it is barred in truth, ever nearer. False where
   /// nothing is left to be held against one.
   bool confirm(const RunContext& context);
-  /// Which border is held against evaluations first: that above 0, or that below.
-  void prefer(bool above) { first_ = above ? 1 : 0; }
+  /// Where it is wanted: the border on that side is held against evaluations first, and where sketches only
+  /// lost sight of the blades, there, if that is not far.
+  void aim(double by) { aim_ = by; }
   bool unsure() const;
   const Reach& reach() const { return reach_; }
 
@@ -88,7 +90,7 @@ class ReachSearch {
   double farthest_;
   double deviation_ = 0;  ///< mm, allowed at stations
   std::array<Side, 2> sides_;
-  std::size_t first_ = 1;
+  double aim_ = 0;
   std::optional<Sketcher> near_;  ///< of where it is and little beside: one row for both ways
   Reach reach_;
   bool began_ = false;
