@@ -6,9 +6,11 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QStyledItemDelegate>
+#include <QTextLayout>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -133,21 +135,32 @@ void Banner::paintEvent(QPaintEvent*) {
 
 namespace {
 
-/// As high as the text is in the width that the list leaves it: the view measures it wider than it draws it.
+/// As wide as the list, and as high as the text is in the width that the style leaves it there: the view
+/// measures it wider than it draws it.
 class WrappedText : public QStyledItemDelegate {
  public:
   explicit WrappedText(QListView* view) : QStyledItemDelegate(view), view_(view) {}
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int kHigh = 4096;
     QStyleOptionViewItem own = option;
     initStyleOption(&own, index);
-    const int margin = view_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &own, view_) + 1;
-    const int taken = own.icon.isNull() ? 2 * margin : view_->iconSize().width() + 4 * margin;
-    const int room = std::max(1, view_->viewport()->width() - taken - 2 * margin);
-    const int text =
-        own.fontMetrics.boundingRect(QRect(0, 0, room, 1 << 20), Qt::TextWordWrap, own.text).height();
-    const QSize base = QStyledItemDelegate::sizeHint(option, index);
-    // A row wider than the list would end beyond its border.
-    return {std::min(base.width(), view_->viewport()->width()), std::max(base.height(), text + 2 * margin)};
+    own.rect = {0, 0, view_->viewport()->width(), kHigh};
+    const QStyle& style = *view_->style();
+    const QRect room = style.subElementRect(QStyle::SE_ItemViewItemText, &own, view_);
+    const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &own, view_) + 1;
+    QTextOption wrapped;
+    wrapped.setWrapMode(QTextOption::WordWrap);
+    QTextLayout text(own.text, own.font);
+    text.setTextOption(wrapped);
+    text.beginLayout();
+    double height = 0;
+    for (QTextLine line = text.createLine(); line.isValid(); line = text.createLine()) {
+      line.setLineWidth(std::max(1, room.width() - 2 * margin));
+      height += line.height();
+    }
+    text.endLayout();
+    const int content = std::max(int(std::ceil(height)) + 2 * margin, view_->iconSize().height());
+    return {own.rect.width(), content + kHigh - room.height()};
   }
 
  private:

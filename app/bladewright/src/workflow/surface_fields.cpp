@@ -38,20 +38,23 @@ std::string at(const std::string& list, std::size_t i) { return list + "/" + std
 /// to whatever comes next, and that would come into sight.
 class KeptPlace {
  public:
-  explicit KeptPlace(QWidget& lines) : lines_(lines) {
+  /// `lines` are those of `layout`, which go.
+  KeptPlace(QWidget& lines, const QLayout& layout) {
     for (QWidget* at = lines.parentWidget(); at && !area_; at = at->parentWidget())
       area_ = qobject_cast<QScrollArea*>(at);
     if (area_) scrolled_ = area_->verticalScrollBar()->value();
     QWidget* held = QApplication::focusWidget();
-    if (!held || !lines.isAncestorOf(held)) return;
-    // What is chosen or pressed gives it back, what is typed in keeps it.
-    if (qobject_cast<TypedField*>(held)) name_ = held->accessibleName();
+    bool goes = false;
+    for (int i = 0; held && i < layout.count() && !goes; ++i)
+      if (const QWidget* line = layout.itemAt(i)->widget()) goes = line->isAncestorOf(held);
+    if (!goes) return;
+    // A button gives it back, a field keeps it.
+    if (!qobject_cast<QAbstractButton*>(held)) name_ = held->accessibleName();
     if (!name_.isEmpty() || !returnKeyboard(lines)) held->clearFocus();
   }
-  void restore() const {
-    if (!name_.isEmpty())
-      for (auto* line : lines_.findChildren<TypedField*>())
-        if (line->accessibleName() == name_ && !line->isHidden()) line->setFocus();
+  void restore(const QWidget& made) const {
+    for (QWidget* line : made.findChildren<QWidget*>())
+      if (!name_.isEmpty() && line->accessibleName() == name_) line->setFocus();
     if (!area_) return;
     // Lines that went leave their room to those that came once these are laid out.
     QTimer::singleShot(0, area_, [area = area_, to = scrolled_] {
@@ -61,7 +64,6 @@ class KeptPlace {
   }
 
  private:
-  QWidget& lines_;
   QScrollArea* area_ = nullptr;
   int scrolled_ = 0;
   QString name_;
@@ -253,7 +255,7 @@ void SurfaceFields::refresh() {
 }
 
 void SurfaceFields::rebuild(const DesignedSurface& surface) {
-  const KeptPlace place(*this);
+  const KeptPlace place(*this, *layout_);
   empty(*layout_);
   numbers_.clear();
   ends_.clear();
@@ -269,7 +271,7 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
   if (std::holds_alternative<FormulaSurface>(surface.shape)) addFormula(column);
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) addSections(column, *loft);
   if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) addBlades(column, *blades);
-  place.restore();
+  place.restore(*column);
   // The keyboard goes from the kind through these lines, which came last.
   QWidget* before = kinds_;
   for (QWidget* line : column->findChildren<QWidget*>()) {
