@@ -4,6 +4,7 @@
 #include "bw/pipeline/direction_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bw/core/base/units.h"
@@ -28,47 +29,74 @@ int leftOut(const std::vector<BladePose>& stations) {
   return inside + std::max(0, before - kSparedAtAnEnd) + std::max(0, after - kSparedAtAnEnd);
 }
 
-DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
-                     const geometry::NamedDirection& along, const RunContext& context) {
-  DirectionTrial trial{along.name, along.direction, kStations, kStations};
+/// A trial, and the sections that it is of.
+struct Tried {
+  DirectionTrial trial = {};
+  std::vector<Section> sections = {};
+};
+
+bool isUnusable(const BladePose& pose, const StationFit& fit, const StationCheck& check, const Blade& blade) {
+  return fit.fit.status == FitStatus::infeasible || pose.maxCurvature() > blade.maxCurvature() ||
+         check.clearance < 0;
+}
+
+/// What fits tell, each of its own section and without weight.
+Tried tried(const geometry::Target& target, const RowRequest& request, const geometry::NamedDirection& along,
+            const RunContext& context) {
+  Tried result{{along.name, along.direction, kStations, kStations}};
+  DirectionTrial& trial = result.trial;
   const auto failed = [&](const Error& error) {
     trial.failure = error.message;
-    return trial;
+    return result;
   };
   const Box& block = request.setup.block;
   const PlaneFamily planes = PlaneFamily::across(block, along.direction);
   Findings ignored;
-  const Result<std::vector<Section>> sections =
+  Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, planes}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  // How well the shape of a blade can follow, whatever the row makes of it for margin and weight.
   FitRequest weightless = request.fit;
   weightless.weight.setZero();
-  const Result<Sweep> fits = fitSweep(*sections, weightless, block, planes, context);
-  if (!fits) return failed(fits.error());
-  for (const StationFit& fit : fits->fits)
-    trial.deviationMax = std::max(trial.deviationMax, fit.fit.hausdorff);
+  const Result<Sweep> sweep = fitSweep(*sections, weightless, block, planes, context);
+  if (!sweep) return failed(sweep.error());
+  const Result<SweepCheck> check =
+      checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
+  if (!check) return failed(check.error());
+  trial.unusable = leftOut(sweep->poses);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    trial.unusable += isUnusable(sweep->poses[i], sweep->fits[i], check->stations[i], request.fit.blade);
+    trial.deviationMax = std::max(trial.deviationMax, sweep->fits[i].fit.hausdorff);
+    trial.angleMax = std::max(trial.angleMax, check->stations[i].angleMax);
+  }
+  result.sections = std::move(*sections);
+  return result;
+}
+
+/// Judges by a row of blades as they are cut, beside which fits jump where the border steps back; how near
+/// these came stays, since a row trades it for margin and weight.
+void judge(Tried& one, const RowRequest& request, const RunContext& context) {
+  DirectionTrial& trial = one.trial;
   // A length that is still to be chosen is long enough for every way, and tells nothing of what would rest.
   const bool ownLength = !request.fit.blade.autoLength;
-  const FitRequest& asked = ownLength ? request.fit : weightless;
-  const Result<Sweep> row = buildSweep(*sections, asked, block, planes, context, ignored);
-  if (!row) return failed(row.error());
+  FitRequest asked = request.fit;
+  if (!ownLength) asked.weight.setZero();
+  Findings ignored;
+  const Box& block = request.setup.block;
+  const Result<Sweep> row =
+      buildSweep(one.sections, asked, block, PlaneFamily::across(block, trial.direction), context, ignored);
+  if (!row) return;
   const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
-  if (!check) return failed(check.error());
-  const double curvatureLimit = asked.blade.maxCurvature();
+  if (!check) return;
   trial.unusable = leftOut(row->poses);
+  trial.angleMax = 0;
   for (std::size_t i = 0; i < row->poses.size(); ++i) {
-    const FitResult& fit = row->fits[i].fit;
     const StationCheck& station = check->stations[i];
-    if (fit.status == FitStatus::infeasible || row->poses[i].maxCurvature() > curvatureLimit ||
-        station.clearance < 0)
-      ++trial.unusable;
+    trial.unusable += isUnusable(row->poses[i], row->fits[i], station, asked.blade);
     trial.angleMax = std::max(trial.angleMax, station.angleMax);
     const bool rests = !row->fits[i].snapsAt && station.stable &&
                        std::min(station.stabilityMargin, station.outOfPlaneMargin) > 0;
-    if (ownLength && !rests) ++trial.unrested;
+    trial.unrested += ownLength && !rests;
   }
-  return trial;
 }
 
 ChosenDirection::Trial told(const DirectionTrial& trial) {
@@ -109,17 +137,35 @@ Result<DirectionSearch> searchDirection(const geometry::Target& target, const Ro
   RunContext quiet;  // a trial tells no progress of its own, and shares its thread with nobody
   quiet.stop = context.stop;
   quiet.threads = 1;
-  DirectionSearch search;
-  search.trials.push_back(tried(target, request, directions.front(), quiet));
+  const double tolerance = request.fit.tolerance;
+  std::vector<Tried> all = {tried(target, request, directions.front(), quiet)};
+  bool judged = false;
+  if (cannotBeBeaten(all.front().trial, tolerance)) {
+    judge(all.front(), request, quiet);
+    judged = true;
+  }
   if (context.stopped()) return stoppedError();
-  if (directions.size() < 2 || cannotBeBeaten(search.trials.front(), request.fit.tolerance)) return search;
-  std::vector<DirectionTrial> others(directions.size() - 1);
-  const auto body = [&](int i) {
-    others[std::size_t(i)] = tried(target, request, directions[std::size_t(i) + 1], quiet);
-  };
-  if (Result<void> ok = parallelFor(context, int(others.size()), body); !ok)
-    return tl::unexpected<Error>(ok.error());
-  for (DirectionTrial& trial : others) search.trials.push_back(std::move(trial));
+  if (directions.size() < 2 || (judged && cannotBeBeaten(all.front().trial, tolerance)))
+    return DirectionSearch{{all.front().trial}};
+  all.resize(directions.size());
+  Result<void> ok = parallelFor(context, int(all.size()) - 1, [&](int i) {
+    all[std::size_t(i) + 1] = tried(target, request, directions[std::size_t(i) + 1], quiet);
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  // Rows take longer than fits, the longer the worse these are: of what lies clearly farther off none is
+  // made.
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Tried& one : all)
+    if (one.trial.failure.empty()) nearest = std::min(nearest, std::max(one.trial.deviationMax, tolerance));
+  ok = parallelFor(context, int(all.size()), [&](int i) {
+    Tried& one = all[std::size_t(i)];
+    if ((i == 0 && judged) || !one.trial.failure.empty()) return;
+    if (kSmallerDeviation * std::max(one.trial.deviationMax, tolerance) <= nearest)
+      judge(one, request, quiet);
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  DirectionSearch search;
+  for (Tried& one : all) search.trials.push_back(std::move(one.trial));
   for (std::size_t i = 1; i < search.trials.size(); ++i)
     if (clearlyBetter(search.trials[i], search.trials[search.chosen], request.fit.tolerance))
       search.chosen = i;

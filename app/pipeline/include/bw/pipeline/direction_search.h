@@ -40,10 +40,10 @@ struct DirectionSearch {
 /// (docs/mathematics.md, cutting direction).
 [[nodiscard]] bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tolerance);
 
-/// Tries the directions that geometry proposes with a row of 17 blades each, the first one first; where no
-/// other can be clearly better than that, the rest is not tried. The result does not depend on the number of
-/// threads. Fails when stopped (`cancelled`), else only by a fault of our own. Cost: for a panel some 20 ms a
-/// direction.
+/// Tries the directions that geometry proposes on 17 stations each, by fits and, where these come near
+/// enough, by rows of blades, the first one first; where no other can be clearly better than that, the rest
+/// is not tried. The result does not depend on the number of threads. Fails when stopped (`cancelled`), else
+/// only by a fault of our own. Cost: for a panel some 0.15 s.
 [[nodiscard]] Result<DirectionSearch> searchDirection(const geometry::Target& target,
                                                       const RowRequest& request, const RunContext& context);
 
