@@ -84,9 +84,13 @@ void judge(Tried& one, const RowRequest& request, const RunContext& context) {
   const Box& block = request.setup.block;
   const Result<Sweep> row =
       buildSweep(one.sections, asked, block, PlaneFamily::across(block, trial.direction), context, ignored);
-  if (!row) return;
+  const auto failed = [&trial](const Error& error) {
+    trial.failure = error.message;
+    trial.unusable = kStations;
+  };
+  if (!row) return failed(row.error());
   const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
-  if (!check) return;
+  if (!check) return failed(check.error());
   trial.unusable = leftOut(row->poses);
   trial.angleMax = 0;
   for (std::size_t i = 0; i < row->poses.size(); ++i) {

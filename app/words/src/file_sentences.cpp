@@ -27,8 +27,7 @@ std::string figures(const ChosenDirection::Trial& trial) {
   return "a cutting angle of up to " + fixedText(toDegrees(trial.angle), 1) + "°, sections met within " +
          shortText(trial.deviation) + " mm, " + std::to_string(trial.unusable) + " of " +
          std::to_string(trial.stations) + " stations unusable" +
-         (trial.unrested > 0 ? ", at " + std::to_string(trial.unrested) + " of them the blade does not rest"
-                             : "");
+         (trial.unrested > 0 ? ", the blade not at rest at " + std::to_string(trial.unrested) : "");
 }
 
 const char* const kAnew = "; write the results anew";

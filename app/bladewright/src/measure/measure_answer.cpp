@@ -34,6 +34,12 @@ bool implausible(const CalibrationResult& result) {
   return result.plausibility && *result.plausibility < kImplausible;
 }
 
+/// In percent; a chance that is next to none is told as that.
+QString chanceText(double chance) {
+  constexpr double kNone = 1e-3;
+  return chance < kNone ? QStringLiteral("< 0.1") : QString::fromStdString(shortText(100 * chance, 2));
+}
+
 QString withError(const Estimate& estimate, const QString& value) {
   return estimate.error ? MeasureAnswer::tr("%1 ± %2").arg(value, lengthText(*estimate.error)) : value;
 }
@@ -153,7 +159,7 @@ void MeasureAnswer::refreshCommon() {
     fit << (length->plausibility
                 ? (implausible(*length) ? tr("The errors given do not explain the scatter (%1 % chance)")
                                         : tr("The errors given explain the scatter (%1 % chance)"))
-                      .arg(QString::fromStdString(shortText(100 * *length->plausibility, 2)))
+                      .arg(chanceText(*length->plausibility))
                 : tr("Heights scatter by %1").arg(lengthText(length->sigma)));
   }
   if (length && length->heightOffset)
