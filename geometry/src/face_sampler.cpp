@@ -20,6 +20,7 @@ constexpr double kSideRatio =
 constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
 constexpr double kBeside = 0.1;     // of a carrier's size: so far its grid may leave it
 constexpr double kSewnGap = 0.1;    // mm: tolerances of edges up to this are no gap
+constexpr double kSteepEnd = 0.5;   // of the radius beyond the end of a surface: so far it is bent on
 constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
@@ -92,21 +93,25 @@ class FaceSampler final : public SurfaceSampler {
  protected:
   double continued(const Eigen::Vector3d& p, const Foot& foot) const override {
     const double side = target_->flipped ? -1.0 : 1.0;
-    const auto off = [&](const FaceFoot& at) { return (p - at.point).dot(at.normal); };
+    const auto above = [&](const FaceFoot& at) { return (p - at.point).dot(at.normal); };
     const auto below = [&](const FaceFoot& at) {
       return !at.normal.isZero() &&
-             (p - at.point - off(at) * at.normal).norm() <= kSideRatio * at.distance + kSlack;
+             (p - at.point - above(at) * at.normal).norm() <= kSideRatio * at.distance + kSlack;
     };
-    const FaceFoot own = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
-    double nearest = own.normal.isZero() ? SurfaceSampler::continued(p, foot) : side * off(own);
+    const auto off = [&](const FaceGeometry& face, const FaceFoot& at) {
+      return above(at) - (below(at) ? 0 : risenBeyond(face, at, p));
+    };
+    const FaceGeometry& ownFace = *target_->faces[std::size_t(foot.face)];
+    const FaceFoot own = footOnSurface(ownFace, p, foot.uv);
+    double nearest = own.normal.isZero() ? SurfaceSampler::continued(p, foot) : side * off(ownFace, own);
     double away = own.distance;  // of the foot, where none has p above it
     bool known = below(own);
     const auto look = [&](const FaceGeometry& face, bool carries) {
       const FaceFoot there = footOnSurface(face, p, nearGridPlace(face, p));
-      const bool better = below(there) ? !known || std::abs(off(there)) < std::abs(nearest)
+      const bool better = below(there) ? !known || std::abs(above(there)) < std::abs(nearest)
                                        : carries && !known && !there.normal.isZero() && there.distance < away;
       if (!better) return;
-      nearest = side * off(there);
+      nearest = side * off(face, there);
       away = there.distance;
       known = known || below(there);
     };
@@ -122,6 +127,25 @@ class FaceSampler final : public SurfaceSampler {
   }
 
  private:
+  /// How far a surface that bends on as it does at the end of its parameters has left its tangent plane there
+  /// beside p, mm along its normal: as a parabola, and where that is steep straight on.
+  static double risenBeyond(const FaceGeometry& face, const FaceFoot& at, const Eigen::Vector3d& p) {
+    Jet jet;
+    face.patch().second(at.uv.x(), at.uv.y(), jet);
+    const Eigen::Vector3d beside = p - at.point - (p - at.point).dot(at.normal) * at.normal;
+    const double way = beside.norm();
+    Eigen::Matrix2d metric;
+    metric << jet.du.squaredNorm(), jet.du.dot(jet.dv), jet.du.dot(jet.dv), jet.dv.squaredNorm();
+    if (way == 0 || face.pole(jet) || !(std::abs(metric.determinant()) > 0)) return 0;
+    const Eigen::Vector2d step =
+        metric.inverse() * Eigen::Vector2d(beside.dot(jet.du), beside.dot(jet.dv)) / way;
+    const double bend = at.normal.dot(step.x() * step.x() * jet.duu + 2 * step.x() * step.y() * jet.duv +
+                                      step.y() * step.y() * jet.dvv);
+    if (!std::isfinite(bend) || bend == 0) return 0;
+    const double bent = std::min(way, kSteepEnd / std::abs(bend));
+    return bend * bent * (way - 0.5 * bent);
+  }
+
   /// The place of the nearest of some nodes of a face's grid.
   static Eigen::Vector2d nearGridPlace(const FaceGeometry& face, const Eigen::Vector3d& p) {
     const std::size_t nu = face.gridU().size(), nv = face.gridV().size(),

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "bw/core/sweep/oblique_planes.h"
 #include "bw/core/text/number_text.h"
@@ -32,7 +33,8 @@ constexpr double kBesideBlock = 1e-3;   // mm: what is farther off has left the 
 constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;         // of a section, before it is fitted
 constexpr int kMaxSamples = 12000;
-constexpr int kLeastBeyond = 24;  // samples of what is added to a section at one end
+constexpr double kMostOver = 0.1;  // of the shorter side of the base: so far a bridge may rise over it
+constexpr int kLeastBeyond = 24;   // samples of what is added to a section at one end
 
 constexpr double kInsetRatio = 1e-4;   // of the range: where the target ends planes keep off its very border
 constexpr double kInset = 0.01;        // mm, at least
@@ -360,24 +362,45 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
       if (auto chain = PlanarCurve::points(std::move(points))) outcome.section->branches.push_back(*chain);
     }
   }
+  std::optional<JoinedParts> all;
+  bool over = false;
   if (parts.size() > 1) {
-    SectionBranches several{int(parts.size()), int(parts.size())};
-    tellHeights(cutter.normal(), own, several);
-    tell(Severity::warning, several, place);
-    return outcome;
-  }
-  Part& part = parts.front();
-  if (part.closed) {
+    all = overTop(cutter.normal(), own, byKernel);
+    over = all.has_value();
+    if (over) {
+      outcome.found = lengthOf(all->samples);
+      outcome.curves = 1;
+    }
+    // What the block's own faces part is not joined over a gap.
+    std::vector<std::vector<SectionSample>> open;
+    std::set<const SectionBranch*> whole;
+    for (const Part& part : parts)
+      if (!part.closed && whole.insert(part.branch).second) open.push_back(part.samples);
+    if (!all && open.size() == parts.size()) all = joined(cutter, open, frame);
+    if (!all) {
+      SectionBranches several{int(parts.size()), int(parts.size())};
+      tellHeights(cutter.normal(), own, several);
+      tell(Severity::warning, several, place);
+      return outcome;
+    }
+    outcome.section->branches.clear();
+  } else if (parts.front().closed) {
     tell(Severity::warning, SectionClosed{}, place);
     return outcome;
+  } else {
+    all = JoinedParts{parts.front().samples};
   }
   if (cut->doubtful) tell(Severity::info, SectionBorder{}, place);
-  double bridged = 0;
-  for (const SectionBranch::Part& piece : part.branch->parts)
-    bridged = std::max(bridged, piece.piece->bridged);
+  double bridged = all->widest;
+  for (const Part& part : parts)
+    for (const SectionBranch::Part& piece : part.branch->parts)
+      bridged = std::max(bridged, piece.piece->bridged);
   if (bridged > kSpeck) tell(Severity::info, SectionBridged{bridged}, place);
 
-  const auto goesOn = [&](const SectionBranch::Part& end, bool last) -> std::vector<SectionSample> {
+  const auto goesOn = [&](std::size_t number, bool last) -> std::vector<SectionSample> {
+    if (over) return {};
+    const Part& part = parts[number];
+    const SectionBranch::Part& end = last ? part.branch->parts.back() : part.branch->parts.front();
     const std::vector<LevelWay>& way = last == end.reversed ? end.piece->before : end.piece->after;
     const SectionSample& from = last ? part.samples.back() : part.samples.front();
     if (way.empty() || (way.front().nodes.front().p - from.node.p).norm() > kMeet) return {};
@@ -388,26 +411,73 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     return sampleBranch(cutter, branch, own, divisionOf(branch));
   };
   outcome.level = level;
-  outcome.beyond = {goesOn(part.branch->parts.front(), false), goesOn(part.branch->parts.back(), true)};
-  if (!outcome.beyond[0].empty() || !outcome.beyond[1].empty()) outcome.samples = part.samples;
-  fit(outcome, std::move(part.samples));
+  outcome.beyond = {goesOn(all->first, all->firstTurned), goesOn(all->last, !all->lastTurned)};
+  if (!outcome.beyond[0].empty() || !outcome.beyond[1].empty()) outcome.samples = all->samples;
+  fit(outcome, std::move(all->samples));
   return outcome;
 }
 
-void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const {
+std::shared_ptr<const PlaneCutter> Sectioner::tallCutter(const Eigen::Vector3d& normal) const {
   const auto tall = [&] {
     Box box = region_;
     const double reach = (target_.bounds.max - target_.bounds.min).norm();
     box.frame.origin -= reach * box.frame.normal;
     box.size.z() += 2 * reach;
-    return std::make_unique<const PlaneCutter>(target_, normal, box);
+    return std::make_shared<const PlaneCutter>(target_, normal, box);
   };
-  std::unique_ptr<const PlaneCutter> own;
-  if (parallel_)
-    std::call_once(tallOnce_, [&] { tall_ = tall(); });
-  else
-    own = tall();
-  const PlaneCutter& cutter = own ? *own : *tall_;
+  if (!parallel_) return tall();
+  std::call_once(tallOnce_, [&] { tall_ = tall(); });
+  return tall_;
+}
+
+std::optional<JoinedParts> Sectioner::overTop(const Eigen::Vector3d& normal, double level,
+                                              bool byKernel) const {
+  if (slanted()) return {};
+  BlockWindow open = block_;
+  open.box.size.z() += kMostOver * block_.box.size.head<2>().minCoeff();
+  const std::shared_ptr<const PlaneCutter> cutter = tallCutter(normal);
+  const PlaneCutter::Cut cut = cutter->cut(level, byKernel);
+  std::optional<JoinedParts> found;
+  for (const SectionBranch& branch : chainPieces(cut.pieces)) {
+    if (branch.closed) return {};
+    bool clipped = false;
+    for (const std::vector<SectionSample>& part : geometry::clipped(
+             *cutter, sampleBranch(*cutter, branch, level, divisionOf(branch)), false, level,
+             [&open](const LevelNode& node) { return open.holds(node.p); }, clipped)) {
+      const auto in = [this](const SectionSample& sample) { return holds(sample.node); };
+      const auto first = std::ranges::find_if(part, in);
+      if (first == part.end()) continue;
+      const auto last = std::ranges::find_if(part.rbegin(), part.rend(), in).base();
+      const auto ofTarget = [this](const SectionSample& sample) {
+        return sample.face < int(target_.faces.size()) &&
+               target_.faces[std::size_t(sample.face)]->contains(sample.node.uv);
+      };
+      if (std::any_of(first, last, [&](const auto& sample) { return !in(sample) && ofTarget(sample); }))
+        return {};
+      const auto pieces = geometry::clipped(
+          *cutter, part, false, level, [this](const LevelNode& node) { return holds(node); }, clipped);
+      double within = 0;
+      for (const auto& piece : pieces) within += lengthOf(piece);
+      if (within < kSpeck) continue;
+      JoinedParts whole;
+      whole.samples.push_back(pieces.front().front());
+      for (auto sample = first; sample != last; ++sample)
+        if ((sample->node.p - whole.samples.back().node.p).norm() > kSameNode)
+          whole.samples.push_back(*sample);
+      const SectionSample& end = pieces.back().back();
+      if ((end.node.p - whole.samples.back().node.p).norm() > kSameNode) whole.samples.push_back(end);
+      for (const SectionBranch::Part& piece : branch.parts)
+        whole.widest = std::max(whole.widest, piece.piece->bridged);
+      if (found || lengthOf(whole.samples) > 2 * within) return {};
+      found = std::move(whole);
+    }
+  }
+  return found;
+}
+
+void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const {
+  const std::shared_ptr<const PlaneCutter> tall = tallCutter(normal);
+  const PlaneCutter& cutter = *tall;
   const PlaneCutter::Cut cut = cutter.cut(level);
   for (const SectionBranch& branch : chainPieces(cut.pieces)) {
     if (branch.closed) continue;

@@ -77,6 +77,10 @@ class Sectioner {
  private:
   /// How far curves that come into the block several times leave it above or below in between.
   void tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const;
+  /// The section where it is one curve that leaves the block through its top over a hole of the target and
+  /// comes back, rises over it by no more than a tenth of the shorter side of its base, and is no longer
+  /// above it than in it: the blade passes over the foam there. Empty where it is not so.
+  std::optional<JoinedParts> overTop(const Eigen::Vector3d& normal, double level, bool byKernel) const;
   /// Lays the spline through the samples of a section; false where there is none, which `findings` tell.
   bool fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const;
 
@@ -97,9 +101,11 @@ class Sectioner {
   std::optional<PlaneCutter> parallel_;  ///< none where planes turn
   BlockWindow window_, block_;
   bool slanted_;
-  /// `parallel_`, looking above and below the block as well; made where it is asked for.
+  /// A cutter that looks above and below the block as well; made where it is asked for.
+  std::shared_ptr<const PlaneCutter> tallCutter(const Eigen::Vector3d& normal) const;
+  /// That of parallel planes.
   mutable std::once_flag tallOnce_;
-  mutable std::unique_ptr<const PlaneCutter> tall_;
+  mutable std::shared_ptr<const PlaneCutter> tall_;
 };
 
 /// The row of planes of a family through a target, evenly spaced from the first to the last place where they

@@ -175,7 +175,7 @@ std::vector<SectionSample> refined(const PlaneCutter& cutter, const std::vector<
                                    double level, int division) {
   std::vector<SectionSample> result;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i > 0 && samples[i].face == samples[i - 1].face &&
+    if (i > 0 && samples[i].face == samples[i - 1].face && !gapBetween(samples[i - 1], samples[i]) &&
         !samples[i].node.p.isApprox(samples[i - 1].node.p, kBisected)) {
       for (int m = 1; m < division; ++m) {
         LevelNode node;
@@ -201,14 +201,93 @@ namespace {
 
 constexpr double kCorner = 0.02;  // rad between the tangents at a joint: more is a corner
 
-}  // namespace
+/// A sample in its plane.
+struct Raw {
+  Eigen::Vector2d p, t;
+  bool hasTangent = true, mark = false;
+};
 
-std::vector<std::vector<CurveSample>> runsOf(const PlaneCutter& cutter,
-                                             const std::vector<SectionSample>& samples, const Frame& frame) {
-  struct Raw {
-    Eigen::Vector2d p, t;
-    bool hasTangent, mark;
+double turnBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+}
+
+/// How a section bends at sample `end` as it comes there, or goes on from there (`way` −1 and 1): counter-
+/// clockwise along the samples, from the tangents at two places before, or behind, it.
+double bendAt(const std::vector<Raw>& raw, int end, int way, double apart) {
+  const auto from = [&](int i) {
+    int j = i;
+    while (j + way >= 0 && j + way < int(raw.size()) &&
+           (raw[std::size_t(j)].p - raw[std::size_t(i)].p).norm() < apart)
+      j += way;
+    return j;
   };
+  const auto mean = [&](int i, int j) {
+    const double chord = (raw[std::size_t(j)].p - raw[std::size_t(i)].p).norm();
+    return chord > 0 ? way * turnBetween(raw[std::size_t(i)].t, raw[std::size_t(j)].t) / chord : 0.0;
+  };
+  const int near = from(end), far = from(near);
+  if (near == end) return 0;
+  const double first = mean(end, near);
+  if (far == near) return first;
+  const double a = (raw[std::size_t(near)].p - raw[std::size_t(end)].p).norm(),
+               b = (raw[std::size_t(far)].p - raw[std::size_t(near)].p).norm();
+  return first + (first - mean(near, far)) * a / (a + b);
+}
+
+constexpr int kOverGap = 64;           // samples of what leads over a gap
+constexpr double kLooksBack = 0.05;    // of a gap: so far from it its ends' bend is seen
+constexpr double kLeastLook = 0.5;     // mm, at least
+constexpr double kMeetsWithin = 0.01;  // of a gap: so near to its other end what is bent on comes there
+constexpr double kMeetsTurned = 0.1;   // rad, and so nearly along it
+constexpr double kGentle = 0.7;        // cosine of the angle at which either end may look across
+
+/// What leads over a gap between two samples: the quintic with their places, tangents and bends, as samples
+/// between them.
+std::vector<Raw> overGap(const std::vector<Raw>& raw, int before) {
+  const Raw &a = raw[std::size_t(before)], &b = raw[std::size_t(before) + 1];
+  const double chord = (b.p - a.p).norm(), apart = std::max(kLeastLook, kLooksBack * chord);
+  const double bendA = bendAt(raw, before, -1, apart), bendB = bendAt(raw, before + 1, 1, apart);
+  const double half = 0.5 * turnBetween(a.t, b.t);
+  const double length = std::abs(half) > 1e-6 ? chord * half / std::sin(half) : chord;
+  const auto across = [](const Eigen::Vector2d& t) { return Eigen::Vector2d(-t.y(), t.x()); };
+  const Eigen::Vector2d d0 = length * a.t, d1 = length * b.t, e0 = length * length * bendA * across(a.t),
+                        e1 = length * length * bendB * across(b.t), by = b.p - a.p;
+  const Eigen::Vector2d c3 = 10 * by - 6 * d0 - 4 * d1 - 1.5 * e0 + 0.5 * e1,
+                        c4 = -15 * by + 8 * d0 + 7 * d1 + 1.5 * e0 - e1,
+                        c5 = 6 * by - 3 * d0 - 3 * d1 - 0.5 * e0 + 0.5 * e1;
+  std::vector<Raw> between;
+  for (int k = 1; k < kOverGap; ++k) {
+    const double s = double(k) / kOverGap;
+    const Eigen::Vector2d p = a.p + s * (d0 + s * (0.5 * e0 + s * (c3 + s * (c4 + s * c5))));
+    const Eigen::Vector2d t = d0 + s * (e0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5)));
+    between.push_back({p, t.normalized()});
+  }
+  return between;
+}
+
+/// True if what is bent on from the one end of a gap as it is there comes to the other end, nearly along it.
+bool meetOver(const std::vector<Raw>& raw, int before) {
+  const Raw &a = raw[std::size_t(before)], &b = raw[std::size_t(before) + 1];
+  const Eigen::Vector2d by = b.p - a.p;
+  const double chord = by.norm(), apart = std::max(kLeastLook, kLooksBack * chord);
+  if (!(chord > 0) || a.t.dot(by) < kGentle * chord || b.t.dot(by) < kGentle * chord) return false;
+  const auto reaches = [&](const Eigen::Vector2d& tangent, const Eigen::Vector2d& way, double bend,
+                           const Eigen::Vector2d& there) {
+    // An arc of that bend to where it is as far along the tangent.
+    const double along = way.dot(tangent), side = tangent.x() * way.y() - tangent.y() * way.x();
+    const double sine = bend * along;
+    if (!(std::abs(sine) < kGentle)) return false;
+    const double turned = std::asin(sine);
+    const double arrives = std::abs(sine) > 1e-9 ? (1 - std::cos(turned)) / bend : 0.0;
+    const double off = std::abs(turnBetween(tangent, there) - turned);
+    return std::abs(side - arrives) <= kMeetsWithin * chord && off <= kMeetsTurned;
+  };
+  return reaches(a.t, by, bendAt(raw, before, -1, apart), b.t) &&
+         reaches(-b.t, -by, -bendAt(raw, before + 1, 1, apart), -a.t);
+}
+
+std::vector<Raw> rawOf(const PlaneCutter& cutter, const std::vector<SectionSample>& samples,
+                       const Frame& frame) {
   const auto plane = [&](const Eigen::Vector3d& d) {
     return Eigen::Vector2d(d.dot(frame.x), d.dot(frame.y));
   };
@@ -232,10 +311,68 @@ std::vector<std::vector<CurveSample>> runsOf(const PlaneCutter& cutter,
       raw[i].t = -raw[i].t;
     }
   }
+  return raw;
+}
+
+}  // namespace
+
+std::optional<JoinedParts> joined(const PlaneCutter& cutter,
+                                  const std::vector<std::vector<SectionSample>>& parts, const Frame& frame) {
+  struct Span {
+    std::size_t part;
+    double low, high;
+    bool turned;
+  };
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto xOf = [&](const SectionSample& sample) { return (sample.node.p - frame.origin).dot(frame.x); };
+    const auto [low, high] = std::ranges::minmax(parts[i], {}, xOf);
+    spans.push_back({i, xOf(low), xOf(high), xOf(parts[i].front()) > xOf(parts[i].back())});
+  }
+  std::ranges::sort(spans, {}, &Span::low);
+  JoinedParts all;
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    if (k > 0 && spans[k].low < spans[k - 1].high) return {};
+    std::vector<SectionSample> next = parts[spans[k].part];
+    if (spans[k].turned) {
+      std::ranges::reverse(next);
+      for (std::size_t i = 1; i < next.size(); ++i)
+        next[i].corner = next[i].corner || next[i].face != next[i - 1].face;
+    }
+    if (k > 0) {
+      SectionSample &end = all.samples.back(), &begin = next.front();
+      if (end.node.root < 0 || begin.node.root < 0 || next.size() < 2) return {};
+      all.widest = std::max(all.widest, (begin.node.p - end.node.p).norm());
+      end.gap = begin.gap = int(k);
+    }
+    all.samples.insert(all.samples.end(), next.begin(), next.end());
+  }
+  all.first = spans.front().part;
+  all.firstTurned = spans.front().turned;
+  all.last = spans.back().part;
+  all.lastTurned = spans.back().turned;
+  const std::vector<Raw> raw = rawOf(cutter, all.samples, frame);
+  for (std::size_t i = 1; i < all.samples.size(); ++i)
+    if (gapBetween(all.samples[i - 1], all.samples[i]) && !meetOver(raw, int(i) - 1)) return {};
+  return all;
+}
+
+std::vector<std::vector<CurveSample>> runsOf(const PlaneCutter& cutter,
+                                             const std::vector<SectionSample>& samples, const Frame& frame) {
+  const std::vector<Raw> raw = rawOf(cutter, samples, frame);
+  const int count = int(raw.size());
   std::vector<std::vector<CurveSample>> runs(1);
   double arc = 0;
   for (int i = 0; i < count; ++i) {
-    if (i > 0) {
+    if (i > 0 && gapBetween(samples[i - 1], samples[i])) {
+      Eigen::Vector2d last = raw[i - 1].p;
+      for (const Raw& over : overGap(raw, i - 1)) {
+        arc += (over.p - last).norm();
+        last = over.p;
+        runs.back().push_back({over.p, over.t, arc});
+      }
+      arc += (raw[i].p - last).norm();
+    } else if (i > 0) {
       const double chord = (raw[i].p - raw[i - 1].p).norm();
       const double turn = std::acos(std::clamp(raw[i].t.dot(raw[i - 1].t), -1.0, 1.0));
       const LevelNode &here = samples[i].node, &before = samples[i - 1].node;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -54,6 +55,8 @@ struct SectionSample {
   int face;  ///< index in the target
   LevelNode node;
   bool corner = false;  ///< a new run begins here
+  /// Of a gap between two samples over which no surface leads both have its number, from 1 on.
+  int gap = 0;
 };
 
 /// What of a section plane counts: its convex region in the block, or in what the block sweeps as it is
@@ -84,6 +87,22 @@ std::vector<std::vector<SectionSample>> clipped(const PlaneCutter& cutter, std::
 /// Samples between the samples: `division` intervals for each.
 std::vector<SectionSample> refined(const PlaneCutter& cutter, const std::vector<SectionSample>& samples,
                                    double level, int division);
+
+/// The gap that two neighbouring samples lie on both sides of; 0 where a surface leads from one to the other.
+inline int gapBetween(const SectionSample& a, const SectionSample& b) { return a.gap == b.gap ? a.gap : 0; }
+
+/// Joins parts of a section, open and within the block, over gaps in the target (docs/mathematics.md,
+/// Bridges). They lie beside each other along x of `frame`, and each goes on, bent as it is at its end, to
+/// where the next one begins. Empty where they do not, or where one ends there at the block's face rather
+/// than at a border.
+struct JoinedParts {
+  std::vector<SectionSample> samples;            ///< along x
+  double widest = 0;                             ///< gap, mm
+  std::size_t first = 0, last = 0;               ///< numbers of the parts at both ends
+  bool firstTurned = false, lastTurned = false;  ///< round, so that they run along x
+};
+std::optional<JoinedParts> joined(const PlaneCutter& cutter,
+                                  const std::vector<std::vector<SectionSample>>& parts, const Frame& frame);
 
 /// Length of the polygon through the samples, mm.
 double lengthOf(const std::vector<SectionSample>& samples);

@@ -5,7 +5,11 @@
 // there are those from that surface.
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <gp.hxx>
 
 #include "sheets.h"
 
@@ -53,19 +57,27 @@ TEST(Bridging, AlsoWhereTheSurfaceRisesOverTheRestInBetween) {
   ASSERT_EQ(cut.sections.size(), 15u) << "none is left out";
   EXPECT_NEAR(cut.setup.block.frame.origin.z() + cut.setup.block.size.z(), 5, 0.1);
   EXPECT_NEAR(widestGap(cut.findings), 2 * radius * std::asin(150 / radius), 1);
-  // A given block that ends where the target does is told how much higher it has to be.
+  // Through the top of a given block that ends where the target does it goes out and comes back.
   CutSettings low;
   low.stations = 15;
   low.direction = Eigen::Vector3d::UnitY();
   low.block = BlockPlacement{{-300, -300, -150}, {600, 600, 150 + below}, {0, 0, 0}};
+  const Cut over = cutOf(holed, low);
+  ASSERT_EQ(over.sections.size(), 15u) << "none is left out";
+  for (const Section& section : over.sections)
+    for (const Eigen::Vector2d& p : section.curve().sample(61))
+      EXPECT_NEAR((section.frame.toWorld(p) - Eigen::Vector3d(0, 0, -radius)).norm(), radius, 2e-3);
+  EXPECT_NEAR(widestGap(over.findings), 2 * radius * std::asin(150 / radius), 1);
+  // One of which the most of it lies above is told how much higher it has to be.
+  low.block = BlockPlacement{{-300, -300, -150}, {600, 600, 120}, {0, 0, 0}};
   const Cut split = cutOf(holed, low);
   const auto several = std::ranges::find_if(
       split.findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); });
   ASSERT_NE(several, split.findings.end());
-  EXPECT_NEAR(std::get<SectionBranches>(several->cause).above, -below, 0.2);
+  EXPECT_NEAR(std::get<SectionBranches>(several->cause).above, 30, 0.2);
   EXPECT_EQ(std::get<SectionBranches>(several->cause).below, 0);
   // One that is too narrow is not.
-  low.block = BlockPlacement{{-300, -300, -150}, {250, 600, 150 + below}, {0, 0, 0}};
+  low.block = BlockPlacement{{-300, -300, -150}, {250, 600, 120}, {0, 0, 0}};
   for (const Finding& finding : cutOf(holed, low).findings) {
     const auto* parts = std::get_if<SectionBranches>(&finding.cause);
     EXPECT_TRUE(!parts || parts->above == 0);
@@ -153,19 +165,19 @@ TEST(Bridging, DistancesAreFromTheSurfaceContinued) {
         EXPECT_TRUE(foot->onBoundary);
         EXPECT_NEAR(sampler->offset(p, *foot), off, 1e-6);
       }
-  // Beyond the sheet, on its tangent plane there; never farther than the border is.
+  // Beyond the sheet, which is bent on as it is at its end; never farther than the border is.
   const auto place = [](double angle, double off) {
     return Eigen::Vector3d((kRadius + off) * std::sin(angle), 0, (kRadius + off) * std::cos(angle) - kRadius);
   };
   const double end = std::asin(300 / kRadius);
-  for (const double beyond : {0.5, 5.0}) {
-    const Eigen::Vector3d along(std::cos(end), 0, -std::sin(end));
-    const Eigen::Vector3d p = place(end, 0.2) + beyond * along;
-    const auto foot = sampler->closest(p, nullptr);
-    ASSERT_TRUE(foot);
-    EXPECT_NEAR(sampler->offset(p, *foot), 0.2, 1e-6);
-    EXPECT_NEAR(foot->distance, std::hypot(beyond, 0.2), 1e-6);
-  }
+  for (const double beyond : {0.5, 5.0, 50.0})
+    for (const double off : {0.2, -0.4}) {
+      const Eigen::Vector3d p = place(end + beyond / kRadius, off);
+      const auto foot = sampler->closest(p, nullptr);
+      ASSERT_TRUE(foot);
+      EXPECT_NEAR(sampler->offset(p, *foot), off, 1e-9 * std::pow(beyond, 4) + 1e-5) << beyond;
+      EXPECT_NEAR(foot->distance, (p - place(end, 0)).norm(), 1e-6);
+    }
 }
 
 TEST(Bridging, DistancesAcrossAGapThatSewingClosedAreFromTheSurfaceContinued) {
@@ -259,16 +271,121 @@ TEST(Bridging, WhereOneCarrierGoesOverIntoAnother) {
     }
 }
 
-TEST(Bridging, NotBetweenFacesThatShareNoEdge) {
-  // A slot that parts the sheet in two: nothing tells that both belong together.
-  const Target parted =
-      targetOf(BRepAlgoAPI_Cut(sheetInParts({{0, 0}}), boxAt(-20, 20, -400, 400)).Shape(), allFaces());
-  Findings findings;
-  const auto setup = resolveSetup(parted, {{}, Eigen::Vector3d::UnitY()}, findings);
-  ASSERT_TRUE(setup);
-  EXPECT_FALSE(cutSections(parted, *setup, {9, {}}, {}, findings));
-  EXPECT_TRUE(std::ranges::any_of(
-      findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); }));
+TEST(Bridging, OverASlotThatPartsTheSheet) {
+  const Cut whole = along(targetOf(sheet()));
+  for (const double half : {1.0, 20.0}) {
+    const TopoDS_Shape parted =
+        BRepAlgoAPI_Cut(sheetInParts({{0, 0}}), boxAt(-half, half, -400, 400)).Shape();
+    for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+      const Cut cut = along(targetOf(parted, allFaces()), route);
+      ASSERT_EQ(cut.sections.size(), 15u) << half << ": none is left out";
+      EXPECT_NEAR(widestGap(cut.findings), 2 * half, 0.1);
+      for (std::size_t i = 0; i < cut.sections.size(); ++i) {
+        const PlanarCurve &curve = cut.sections[i].curve(), &straight = whole.sections[i].curve();
+        EXPECT_NEAR(curve.length(), straight.length(), 0.01);
+        for (const Eigen::Vector2d& p : curve.sample(201))
+          EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << i;
+      }
+    }
+  }
+}
+
+namespace {
+
+/// A dome of a sphere of 800 mm without what lies nearer to its pole than `hole` mm, as far out as `base`.
+Handle(Geom_Surface) domeSurface() {
+  return new Geom_SphericalSurface(gp_Ax3(gp_Pnt(0, 0, -800), gp::DZ()), 800);
+}
+
+/// Expects sections to lie on that sphere, over its hole, too, and distances there to be those from it.
+void expectOnSphere(const Target& ring, double hole, double within) {
+  CutSettings settings;
+  settings.stations = 15;
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.block = BlockPlacement{{-200, -200, -120}, {400, 400, 150}, {0, 0, 0}};
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    settings.route = route;
+    const Cut cut = cutOf(ring, settings);
+    ASSERT_EQ(cut.sections.size(), 15u) << hole << ": none is left out";
+    EXPECT_NEAR(widestGap(cut.findings), 2 * hole, 0.02 * hole) << "of the middle one";
+    for (const Section& section : cut.sections) {
+      ASSERT_GE(section.chosen, 0);
+      for (const Eigen::Vector2d& p : section.curve().sample(201))
+        EXPECT_NEAR((section.frame.toWorld(p) - Eigen::Vector3d(0, 0, -800)).norm(), 800, 2e-3) << hole;
+    }
+  }
+  const std::unique_ptr<SurfaceSampler> sampler = ring.sampler();
+  for (const double off : {0.0, 1.5, -1.5})
+    for (const double part : {0.1, 0.5, 0.9}) {
+      const double angle = std::asin(part * hole / 800);
+      const Eigen::Vector3d p((800 + off) * std::sin(angle), 0, (800 + off) * std::cos(angle) - 800);
+      const auto foot = sampler->closest(p, nullptr);
+      ASSERT_TRUE(foot);
+      EXPECT_TRUE(foot->onBoundary);
+      EXPECT_NEAR(sampler->offset(p, *foot), off, within) << part * hole;
+    }
+}
+
+}  // namespace
+
+TEST(Bridging, OverAHoleAtThePoleOfASphere) {
+  for (const double hole : {15.0, 60.0, 140.0}) {
+    const double from = std::acos(280.0 / 800), to = std::acos(hole / 800);
+    const TopoDS_Face sphere = BRepBuilderAPI_MakeFace(domeSurface(), 0, 2 * M_PI, from, to, 1e-7).Face();
+    expectOnSphere(targetOf(sphere), hole, 0.15);
+    // As other modellers write it: the surface ends with the face.
+    Handle(Geom_Surface) ring = new Geom_RectangularTrimmedSurface(domeSurface(), 0, 2 * M_PI, from, to);
+    const TopoDS_Face spline =
+        BRepBuilderAPI_MakeFace(GeomConvert::SurfaceToBSplineSurface(ring), 1e-7).Face();
+    expectOnSphere(targetOf(spline), hole, 0.15);
+  }
+}
+
+namespace {
+
+TopoDS_Face floorOf(double x0, double x1, double z0, double z1) {
+  BRepBuilderAPI_MakePolygon border(gp_Pnt(x0, -300, z0), gp_Pnt(x1, -300, z1), gp_Pnt(x1, 300, z1),
+                                    gp_Pnt(x0, 300, z0), true);
+  return BRepBuilderAPI_MakeFace(border.Wire()).Face();
+}
+
+}  // namespace
+
+TEST(Bridging, OverASlotBesideWhichTheSheetHasKinks) {
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  for (const TopoDS_Face& face : {floorOf(-300, -200, 20, 0), floorOf(-200, -20, 0, 0),
+                                  floorOf(20, 150, 0, 0), floorOf(150, 300, 0, 30)})
+    sewing.Add(face);
+  sewing.Perform();
+  const Target target = targetOf(sewing.SewedShape(), allFaces());
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    const Cut cut = along(target, route);
+    ASSERT_EQ(cut.sections.size(), 15u);
+    for (const Section& section : cut.sections) {
+      ASSERT_GE(section.chosen, 0);
+      EXPECT_NEAR(section.curve().length(), std::hypot(100, 20) + 350 + std::hypot(150, 30), 1e-3);
+      for (const double x : {-200.0, 150.0}) {
+        const Eigen::Vector2d kink =
+            section.frame.toLocal(Eigen::Vector3d(x, section.frame.origin.y(), 0)).head<2>();
+        const PlanarCurve& curve = section.curve();
+        EXPECT_LT((curve.value(curve.nearestParameter(kink)) - kink).norm(), 1e-3);
+      }
+    }
+  }
+}
+
+TEST(Bridging, NotBetweenFacesThatLeadElsewhere) {
+  // Two roofs that do not meet over the gap, and two floors at different heights.
+  for (const auto& [one, other] : {std::pair(floorOf(-300, -50, 0, 60), floorOf(50, 300, 60, 0)),
+                                   {floorOf(-300, -20, 0, 0), floorOf(20, 300, 5, 5)}}) {
+    const Target parted = targetOf(together({one, other}), allFaces());
+    Findings findings;
+    const auto setup = resolveSetup(parted, {{}, Eigen::Vector3d::UnitY()}, findings);
+    ASSERT_TRUE(setup);
+    EXPECT_FALSE(cutSections(parted, *setup, {9, {}}, {}, findings));
+    EXPECT_TRUE(std::ranges::any_of(
+        findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); }));
+  }
 }
 
 }  // namespace
