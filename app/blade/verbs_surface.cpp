@@ -73,8 +73,10 @@ void tellSummary(const pipeline::Evaluation& e) {
             << (all.programMax > e.design.process.tolerance
                     ? " of the surface shown within tolerance (the blade between its stations is not), "
                     : " within tolerance, ")
-            << shareText(all.covered) << " of the surface covered (farthest beyond the cut "
-            << shortText(all.uncovered) << " mm)"
+            << shareText(all.covered) << " of the surface " << (all.outside > 0 ? "in the block " : "")
+            << "covered (farthest beyond the cut " << shortText(all.uncovered) << " mm"
+            << (all.outside > 0 ? "; " + shortText(100 * all.outside, 3) + " % of it lies outside" : "")
+            << ")"
             << (all.lost > 0
                     ? ", did the blade keep its shape, which it does not at " + counted(all.lost, "station")
                     : "")

@@ -425,6 +425,29 @@ TEST(Wall, ABlockThatCannotBeCutLeavesTheOthers) {
   EXPECT_NE(alone.error->message.find("none of the 9 planes"), std::string::npos) << alone.error->message;
 }
 
+TEST(Wall, ABlockWhoseBladeIsTooShortLeavesTheOthers) {
+  Design design = wall();
+  design.grid->sizes[0] = {500, 800, 500};
+  design.stock = stockOf(*design.grid);
+  for (Cut& cut : design.cuts) cut.sections.stations = 9;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  ASSERT_EQ(e.uncut.size(), 1u);
+  ASSERT_EQ(e.blocks.size(), 2u);
+  bool told = false;
+  for (const Finding& finding : e.findings())
+    if (const auto* cause = std::get_if<BlockUncut>(&finding.cause)) {
+      told = finding.severity == Severity::error && finding.where.block == e.uncut.front() &&
+             cause->reason.find("is shorter than the section") != std::string::npos;
+      EXPECT_TRUE(told) << cause->reason;
+    }
+  EXPECT_TRUE(told);
+  for (const BlockEvaluation& block : e.blocks) EXPECT_TRUE(block.cuts.front().result()) << block.id;
+  EXPECT_GT(e.uncutArea, 0.4 * 800 * 800);
+  EXPECT_LT(overallOf(e).covered, 0.7);
+}
+
 TEST(Wall, IsCutObliquelyWithJointsThatAreMeasured) {
   Design design = wall();
   design.variables.clear();

@@ -9,13 +9,17 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Ax3.hxx>
@@ -113,14 +117,14 @@ const std::string kAcross =
     R"("face": "all", "direction": "y", "blade": {"preset": "steel-tube-3-2.5", "length": 690}, "clearance": 30)";
 
 TEST(HardShapes, OfAUWhoseArmsLieApartTheBaseIsCutAndTheRestIsTold) {
-  // The arms are other surfaces than the base, and nothing goes on between them.
+  // The arms are other surfaces than the base, and neither of them leads to the other.
   for (const double base : {250.0, 46.0}) {
     const Folder folder;
     const double seam = base - kHalfLength;
     const Said u = said(folder,
                         fileOf({panel(900, -kHalfWidth, kHalfWidth, -kHalfLength, seam),
                                 panel(1000, -kHalfWidth, -150, seam, kHalfLength, -2),
-                                panel(1000, 150, kHalfWidth, seam, kHalfLength, -2)}),
+                                panel(1000, 150, kHalfWidth, seam, kHalfLength, -22)}),
                         "{" + kAcross + "}");
     ASSERT_EQ(u.run.status, 1) << u.run.err;
     EXPECT_TRUE(u.errors.contains("coverage")) << u.run.err;
@@ -143,6 +147,84 @@ TEST(HardShapes, OfAUWhoseArmsLieApartTheBaseIsCutAndTheRestIsTold) {
     EXPECT_NEAR(surface["deviation_to_target_max_mm"].get<double>(),
                 u.summary()["program_deviation_max_mm"].get<double>(), 0.1);
   }
+}
+
+TEST(HardShapes, AUWhoseArmsLeadToEachOtherIsCutAcrossTheGap) {
+  const Folder folder;
+  const double seam = 46 - kHalfLength;
+  const Said u = said(folder,
+                      fileOf({panel(900, -kHalfWidth, kHalfWidth, -kHalfLength, seam),
+                              panel(1000, -kHalfWidth, -150, seam, kHalfLength, -2),
+                              panel(1000, 150, kHalfWidth, seam, kHalfLength, -2)}),
+                      "{" + kAcross + "}");
+  EXPECT_TRUE(u.programs) << u.run.err;
+  EXPECT_NEAR(u.summary()["covered_percent"].get<double>(), 100, 0.1);
+  EXPECT_FALSE(u.warnings.contains("section-branches")) << u.run.err;
+}
+
+TEST(HardShapes, ADomeWithAnOculusIsCutOverIt) {
+  // Its surface ends with the face: nothing is known of what lies in the hole.
+  const double radius = 800, hole = 120, rim = 280;
+  Handle(Geom_Surface) sphere =
+      new Geom_SphericalSurface(gp_Ax3(gp_Pnt(0, 0, -radius), gp_Dir(0, 0, 1)), radius);
+  Handle(Geom_Surface) ring = new Geom_RectangularTrimmedSurface(
+      sphere, 0, 2 * std::numbers::pi, std::acos(rim / radius), std::acos(hole / radius));
+  const Folder folder;
+  const Said dome =
+      said(folder, fileOf({BRepBuilderAPI_MakeFace(GeomConvert::SurfaceToBSplineSurface(ring), 1e-7).Face()}),
+           R"({"direction": "y"})");
+  EXPECT_EQ(dome.run.status, 0) << dome.run.err;
+  EXPECT_TRUE(dome.programs);
+  EXPECT_LT(dome.summary()["deviation_max_mm"], 0.2);
+  EXPECT_NEAR(dome.summary()["covered_percent"].get<double>(), 100, 0.1);
+  const Finished run = blade({"simulate", folder / "out"});
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST(HardShapes, WhatLiesOutsideOfTheBlockIsTold) {
+  // A quarter of the panel in a block that is given.
+  const TopoDS_Shape whole = panel(900, -kHalfWidth, kHalfWidth, -kHalfLength, kHalfLength);
+  {
+    const Folder folder;
+    const Said part =
+        said(folder, fileOf({whole}),
+             R"({"direction": "y", "block": {"origin": [0, 0, -250], "size": [330, 400, 280]}})");
+    EXPECT_EQ(part.run.status, 0) << part.run.err;
+    EXPECT_TRUE(part.warnings.contains("coverage")) << part.run.err;
+    EXPECT_NEAR(part.summary()["outside_percent"].get<double>(), 75, 0.1);
+    EXPECT_NEAR(part.summary()["covered_percent"].get<double>(), 100, 0.1);
+    EXPECT_NE(part.run.err.find("lies outside of the block, up to "), std::string::npos) << part.run.err;
+    EXPECT_NE(part.run.err.find(" of the surface in the block covered"), std::string::npos) << part.run.err;
+    EXPECT_NE(part.run.err.find("75 % of it lies outside"), std::string::npos) << part.run.err;
+  }
+  // One that is made around it holds all of it.
+  const Folder folder;
+  const Said all = said(folder, fileOf({whole}), R"({"direction": "y"})");
+  EXPECT_EQ(all.summary()["outside_percent"], 0);
+  EXPECT_TRUE(all.warnings.empty()) << all.run.err;
+}
+
+TEST(HardShapes, OfASheetThatLeansTheWeightIsToldToBeAnother) {
+  // Its block lies on the sheet's back, and leans with it; in the cell it lies flat.
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), std::numbers::pi / 3);
+  const std::string file =
+      fileOf({BRepBuilderAPI_Transform(panel(900, -kHalfWidth, kHalfWidth, -kHalfLength, kHalfLength), turn)
+                  .Shape()});
+  const Folder folder;
+  const Said leaning = said(folder, file, R"({"direction": "y"})");
+  EXPECT_TRUE(leaning.warnings.contains("weight")) << leaning.run.err;
+  EXPECT_NE(leaning.run.err.find("up is 60° off"), std::string::npos) << leaning.run.err;
+  const Folder second;
+  const Said told = said(second, file, R"({"direction": "y", "up": [0.8660254, 0, 0.5]})");
+  EXPECT_FALSE(told.warnings.contains("weight")) << told.run.err;
+  EXPECT_EQ(told.run.status, 0) << told.run.err;
+}
+
+TEST(HardShapes, OfAFileInMetresTheSizeIsAskedAbout) {
+  const Folder folder;
+  const Said small = said(folder, fileOf({panel(0.9, -0.3, 0.3, -0.35, 0.35)}), R"({"direction": "y"})");
+  EXPECT_NE(small.run.err.find("its file being read in"), std::string::npos) << small.run.err;
 }
 
 TEST(HardShapes, AUOfOneSurfaceIsCutOnTheSurfaceContinued) {

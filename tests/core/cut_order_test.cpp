@@ -35,6 +35,27 @@ TEST(CutOrder, AreaAndHeightAreOfWhatLiesInTheBlock) {
   EXPECT_EQ(areaInBox(slope(600, 0).mesh(), standing()).area, 0);
 }
 
+TEST(CutOrder, WhatLiesInNoBlockIsTold) {
+  // A level sheet of 4000 × 4000 mm around the middle of the block of 600 × 800.
+  const AreaOutside around = areaOutside(slope(100, 0).mesh(), {standing()});
+  EXPECT_NEAR(around.all, 16e6, 1e-6);
+  EXPECT_NEAR(around.area, 16e6 - 600 * 800, 1e-6);
+  EXPECT_NEAR(around.distance, std::hypot(1700, 1600), 1e-9) << "a corner";
+  EXPECT_NEAR(std::abs(around.point.x() - 300), 2000, 1e-9);
+  // A second block beside it holds as much again; in a large one lies all of it.
+  const Box beside = BlockPlacement{{600, 0, 0}, {600, 800, 500}, {0, 0, 0}}.box();
+  EXPECT_NEAR(areaOutside(slope(100, 0).mesh(), {standing(), beside}).area, 16e6 - 2 * 600 * 800, 1e-6);
+  const Box large = BlockPlacement{{-2000, -2000, 0}, {5000, 5000, 500}, {0, 0, 0}}.box();
+  const AreaOutside none = areaOutside(slope(100, 0).mesh(), {large});
+  EXPECT_NEAR(none.area, 0, 1e-6);
+  EXPECT_EQ(none.distance, 0);
+  // Over and under it lies only what the slope leads out of it there: at x > 300 half of its width.
+  const AreaOutside over = areaOutside(slope(350, 0.5).mesh(), {standing()}, Outside::overOrUnder);
+  EXPECT_NEAR(over.area, 300 * std::sqrt(1.25) * 800, 1e-6);
+  EXPECT_NEAR(over.distance, 150, 1e-9);
+  EXPECT_EQ(areaOutside(slope(100, 0).mesh(), {standing()}, Outside::overOrUnder).area, 0);
+}
+
 TEST(CutOrder, TheLowestComesFirstUnlessTold) {
   EXPECT_EQ(orderOf({{{}, 300}, {{}, 100}, {{}, 200}}), (std::vector<std::size_t>{1, 2, 0}));
   EXPECT_EQ(orderOf({{{}, 300}, {{}, 100}, {2, 200}, {1, 250}}), (std::vector<std::size_t>{3, 2, 1, 0}));

@@ -173,7 +173,7 @@ TEST(Findings, TellOverWhatStretchKeyBladesAreNone) {
       said(ToldBlades{Fault::tight, 600, 800, 800, 300, 400}, {}, {BendingBlade{297, "rod", "Rod", 150}}),
       "at y = 600 to 800 mm the key blades tell shapes that bend to a radius of 300 mm, which this blade "
       "may only down to 400 mm, worst at y = 800; ease the key blades beside it, or add one there that a "
-      "blade can be; else it takes a blade that bends to 297 mm, such as the Rod (150 mm)");
+      "blade can be; else it takes at least a blade that bends to 297 mm, such as the Rod (150 mm)");
 }
 
 TEST(Findings, TellTheRemediesTheyHold) {
@@ -255,11 +255,12 @@ TEST(Findings, TellTheRemediesTheyHold) {
                 .find("; try one of 700 mm"),
             std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {BendingBlade{198, "rod", "Rod", 150}})
-                .find("it takes a blade that bends to 198 mm, such as the Rod (150 mm)"),
+                .find("it takes at least a blade that bends to 198 mm, such as the Rod (150 mm)"),
             std::string::npos);
   EXPECT_NE(
       said(TooTight{25, 360, 14, 2}, kOne, {BendingBlade{20, "rod", "Rod", 150}, LargerSurface{3.2, 2100}})
-          .find("(none of the presets does; the Rod bends farthest, to 150 mm), or a surface 3.2 times as "
+          .find("(none of the presets does; the Rod bends farthest, to 150 mm), or a surface at least 3.2 "
+                "times as "
                 "large with a blade of 2100 mm"),
       std::string::npos);
 }

@@ -132,14 +132,20 @@ StepStates stepStates(const StepFacts& facts) {
   } else if (!facts.exportProblem.isEmpty()) {
     output = {Kind::error, 0, QStringLiteral("Not written")};
   } else if (output.kind != Kind::warning && output.kind != Kind::error) {
+    const bool heldBack = ready && pipeline::forRobots(facts.design->output.programs) &&
+                          hasErrors(facts.evaluation->findings());
     if (ready && !facts.exported.empty() && facts.exported == exportKey(*facts.evaluation))
-      output = {Kind::done, 0,
-                facts.exportedPart ? QStringLiteral("Exported in part") : QStringLiteral("Exported")};
+      output = {heldBack ? Kind::warning : Kind::done, 0,
+                heldBack             ? QStringLiteral("Exported, not all programs")
+                : facts.exportedPart ? QStringLiteral("Exported in part")
+                                     : QStringLiteral("Exported")};
     else if (!facts.exported.empty())
       output = {Kind::stale, 0, QStringLiteral("Older export")};
     else
-      output = {Kind::idle, 0,
-                ready ? QStringLiteral("Ready to export") : QStringLiteral("Waits for the result")};
+      output = {heldBack ? Kind::warning : Kind::idle, 0,
+                heldBack ? QStringLiteral("Programs held back")
+                : ready  ? QStringLiteral("Ready to export")
+                         : QStringLiteral("Waits for the result")};
   }
   if (facts.busy && !facts.exporting) {
     const Step step = !facts.busyStep.isEmpty() ? stepOfWork(facts.busyStep)

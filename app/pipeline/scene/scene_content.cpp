@@ -137,6 +137,26 @@ void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, 
   content.add(row, std::move(blades));
 }
 
+/// Of the blocks that a design places those whose id is none of `known`.
+std::vector<const StockBlock*> othersThan(const Design& design, const std::set<std::string>& known) {
+  constexpr std::size_t kMostDrawn = 32;
+  std::vector<const StockBlock*> others;
+  for (const StockBlock& block : design.stock)
+    if (block.placement && !known.contains(block.id)) others.push_back(&block);
+  if (others.size() > kMostDrawn) others.clear();
+  return others;
+}
+
+std::vector<const StockBlock*> othersThan(const Evaluation& evaluation) {
+  std::set<std::string> known;
+  for (const BlockEvaluation& block : evaluation.blocks) known.insert(block.id);
+  return othersThan(evaluation.design, known);
+}
+
+void addOutlines(scene::Content& content, int first, const std::vector<const StockBlock*>& blocks) {
+  for (const StockBlock* block : blocks) content.add({first++}, block->placement->box());
+}
+
 /// What a picture shows of a sketch, or of that what is another than `before`, which is of as many cuts.
 scene::Content contentOf(const Sketch& sketch, const Sketch* before) {
   scene::Content content;
@@ -166,7 +186,15 @@ scene::Content contentOf(const Sketch& sketch, const Sketch* before) {
 
 }  // namespace
 
-scene::Content sceneContent(const Sketch& sketch) { return contentOf(sketch, nullptr); }
+scene::Content sceneContent(const Sketch& sketch) {
+  scene::Content content = contentOf(sketch, nullptr);
+  std::set<std::string> known;
+  for (const std::vector<CutSketch>& block : sketch.blocks)
+    for (const CutSketch& cut : block)
+      known.insert(std::ranges::find(sketch.design.cuts, cut.id, &Cut::id)->block);
+  addOutlines(content, int(sketch.blocks.size()), othersThan(sketch.design, known));
+  return content;
+}
 
 std::optional<scene::Content> sceneChange(const Sketch& sketch, const Sketch& before) {
   if (sketch.design.process.tolerance != before.design.process.tolerance ||
@@ -223,7 +251,14 @@ scene::Content sceneContent(const Evaluation& evaluation) {
              result->analysis.stationRow);
     }
   }
+  addOutlines(content, int(evaluation.blocks.size()), othersThan(evaluation));
   return content;
+}
+
+std::vector<std::string> blocksLeftOut(const Evaluation& evaluation) {
+  std::vector<std::string> ids;
+  for (const StockBlock* block : othersThan(evaluation)) ids.push_back(block->id);
+  return ids;
 }
 
 std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation) {

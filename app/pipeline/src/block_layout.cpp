@@ -17,6 +17,15 @@ namespace {
 
 constexpr double kLeastMet = 100;  ///< mm² of a surface in a block
 
+constexpr double kLeastOut = 0.5;  ///< mm of a surface beyond its block that are told
+
+/// From the first face of a grid to its last, each way.
+Box hullOf(const BlockGrid& grid) {
+  return BlockPlacement{grid.origin, Eigen::Vector3d(grid.extent(0), grid.extent(1), grid.extent(2)),
+                        grid.rotation}
+      .box();
+}
+
 const StockBlock& stockBlock(const Design& design, const std::string& id) {
   return *std::ranges::find(design.stock, id, &StockBlock::id);
 }
@@ -65,6 +74,45 @@ Result<void> leaveOutMissed(Evaluation& e) {
   if (!missed.blocks.empty())
     e.missed = {{e.design.grid ? Severity::info : Severity::warning, std::move(missed)}};
   return {};
+}
+
+void lookOutside(Evaluation& e) {
+  e.outside.clear();
+  e.outsideShare = 0;
+  const Design& design = e.design;
+  double all = 0, outside = 0;
+  std::vector<const geometry::Target*> seen;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& made : block.cuts) {
+      const geometry::Target* target = made.target.value.get();
+      if (std::ranges::find(seen, target) != seen.end()) continue;
+      seen.push_back(target);
+      const Cut& own = *std::ranges::find(design.cuts, made.id, &Cut::id);
+      std::vector<Box> boxes;
+      std::set<std::string> named;
+      for (const Cut& cut : design.cuts)
+        if (cut.source == own.source && cut.face == own.face && named.insert(cut.block).second) {
+          const std::optional<BlockPlacement>& placed = stockBlock(design, cut.block).placement;
+          const CutEvaluation* stages = placed ? nullptr : e.find(cut.id);
+          if (placed) boxes.push_back(placed->box());
+          if (stages && stages->setup) boxes.push_back(stages->block());
+        }
+      const bool several = boxes.size() > 1;
+      if (design.grid && named.size() == design.stock.size()) boxes = {hullOf(*design.grid)};
+      const bool drawn = std::ranges::find(design.sources, own.source, &Source::id)->surface.has_value();
+      const TriangleMesh& mesh = *made.targetMesh.value;
+      const AreaOutside found = areaOutside(mesh, boxes, drawn ? Outside::overOrUnder : Outside::anywhere);
+      all += found.all;
+      if (found.distance <= std::max(design.process.tolerance, kLeastOut) || found.area < kLeastMet) continue;
+      outside += found.area;
+      Place where;
+      where.point = found.point;
+      e.outside.push_back({drawn && block.cuts.size() > 1 ? Severity::info : Severity::warning,
+                           OutsideBlocks{found.area, found.area / found.all, found.distance, several},
+                           where,
+                           {}});
+    }
+  if (all > 0) e.outsideShare = outside / all;
 }
 
 Cut cutToMake(const Design& design, const std::string& id) {

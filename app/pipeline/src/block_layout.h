@@ -20,6 +20,11 @@ inline constexpr int kMostForJoints = 2 * geometry::StationCount::kMost - 1;
 /// and the blocks that have no cut left. Errors (`badInput`): no block is left, or more than kMostBlocksMet.
 Result<void> leaveOutMissed(Evaluation& e);
 
+/// Finds what of each surface, meshed, lies in none of the blocks that it is cut in, nor in the gaps of
+/// their grid. A CAD surface is asked for as it is; one that is designed may go on beside its block, as that
+/// of key blades does, and where a block has several cuts of such also over or under it.
+void lookOutside(Evaluation& e);
+
 /// The cut as it is made: under a grid along its rows, as the blocks lie, where the design leaves the
 /// direction open.
 Cut cutToMake(const Design& design, const std::string& id);

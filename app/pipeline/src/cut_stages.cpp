@@ -27,8 +27,15 @@ constexpr double kEnough = 1.2;
 
 Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& source) {
   return work.settle(&CutEvaluation::target, work.cut.face, {source}, work.seconds.read,
-                     [&source](const FaceChoice& face, Findings& findings) {
-                       return geometry::Target::make(source->model, face, &findings);
+                     [&](const FaceChoice& face, Findings& findings) {
+                       Result<geometry::Target> target =
+                           geometry::Target::make(source->model, face, &findings);
+                       // Who designs a surface here knows the unit.
+                       if (!target || work.design.sourceOf(work.cut).surface) return target;
+                       const Eigen::Vector3d size = target->bounds().size();
+                       if (!isPlausibleSize(size.maxCoeff()))
+                         findings.push_back({Severity::warning, OddSize{size, source->model.info().readAs}});
+                       return target;
                      });
 }
 

@@ -17,6 +17,7 @@ Overall overallOf(const Evaluation& e) {
   bool known = true, followed = true;
   SweepSummary& s = all.summary;
   const bool one = strips.size() == 1;
+  all.outside = e.outsideShare;
   for (const Strip& strip : strips) {
     const CutResult result = *strip.cut->result();
     const SweepSummary& own = result.analysis.summary;

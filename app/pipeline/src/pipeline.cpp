@@ -10,8 +10,10 @@
 #include "advice.h"
 #include "block_layout.h"
 #include "block_part.h"
+#include "bw/core/base/units.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/parts/cut_order.h"
+#include "bw/core/parts/cut_pose.h"
 #include "bw/core/sweep/joint_kerf.h"
 #include "bw/pipeline/lower_block.h"
 #include "bw/pipeline/speed_remedies.h"
@@ -81,14 +83,6 @@ Findings changedSource(const Source& source, const Fingerprint& read) {
   return {{Severity::warning, ChangedSource{source.path.filename().string(), source.saved->size, read.size}}};
 }
 
-/// True if one of these formats is what robots run.
-bool forRobots(const std::vector<std::string>& formats) {
-  return std::ranges::any_of(formats, [](const std::string& format) {
-    const robotio::Dialect* dialect = robotio::dialect(format);
-    return dialect && dialect->check;
-  });
-}
-
 /// Another cell that ships with the program in which robots hold the blade of all cuts and nothing is met.
 std::optional<OtherCell> servingCell(const Evaluation& e, const std::string& own) {
   const Result<std::vector<std::string>> names = cellNames();
@@ -120,6 +114,26 @@ void adviseCell(const Evaluation& e, const std::string& own, Findings& findings)
     if (concerns(finding)) finding.remedies = {*other};
 }
 
+const Cut& cutOf(const Design& design, const std::string& id) {
+  return *std::ranges::find(design.cuts, id, &Cut::id);
+}
+
+/// Where the block lies in a cell another way than the blade's weight is counted along.
+Findings weightIn(const CutEvaluation& made, const Cut& cut, const Cell& cell) {
+  constexpr double kNoticed = 2;  // °
+  const Eigen::Vector3d& weight = made.sweep.value->request.weight;
+  if (weight.isZero()) return {};
+  const Box& lies = made.motion.value->block;
+  Eigen::Matrix3d axes, turn;
+  axes << lies.frame.x, lies.frame.y, lies.frame.normal;
+  for (int axis = 0; axis < 3; ++axis)
+    turn.col(axis) = upAs(made.setup->block, cut.pose, Eigen::Vector3d::Unit(axis));
+  const Eigen::Vector3d up = axes * (cell.workObject.rotation.inverse() * Eigen::Vector3d::UnitZ());
+  const double angle = std::acos(std::clamp(-up.dot(weight.normalized()), -1.0, 1.0));
+  if (angle < fromDegrees(kNoticed)) return {};
+  return {{Severity::warning, WeightElsewhere{angle, turn.transpose() * up}, {}, {}}};
+}
+
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
 /// it.
 void judgeCell(Evaluation& e, const Evaluation* previous) {
@@ -136,6 +150,7 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                      for (const CutEvaluation& cut : block.cuts) {
                                        Findings own = robotio::checkPlacement(*cut.motion.value, *cell);
                                        append(own, waysInCell(cut, *cell));
+                                       append(own, weightIn(cut, cutOf(e.design, cut.id), *cell));
                                        for (Finding& finding : own) {
                                          if (e.blocks.size() > 1) finding.where.block = block.id;
                                          if (block.cuts.size() > 1) finding.where.cut = cut.id;
@@ -222,10 +237,6 @@ std::vector<BlockEvaluation> listed(const Design& design) {
   return blocks;
 }
 
-const Cut& cutOf(const Design& design, const std::string& id) {
-  return *std::ranges::find(design.cuts, id, &Cut::id);
-}
-
 /// The surfaces of all cuts, of equal ones but one; then without the blocks that their surfaces miss, and the
 /// cuts of one block in their order.
 Result<void> aimAll(const Design& design, Evaluation& e, const Evaluation* previous,
@@ -299,31 +310,6 @@ Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Eva
       });
 }
 
-/// Fits the rows of all cuts, those that go on from block to block with as many stations, and with more until
-/// they meet.
-Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous,
-                    KnownNeighbours& neighbours) {
-  const JointRequest asked = jointRequest(e.design);
-  std::optional<int> shared;
-  const auto open = [](const CutWork& work) { return work.joined && work.cut.sections.byTolerance(); };
-  for (CutWork& work : works)
-    if (open(work)) {
-      const Result<SectionRequest> own = sectionRequest(work);
-      if (!own) return inCut(e, work.cut, tl::unexpected<Error>(own.error()));
-      shared = std::max(shared.value_or(0), *own->stations);
-    }
-  for (;;) {
-    for (CutWork& work : works) {
-      if (open(work)) work.stations = shared;
-      if (Result<void> ok = fit(work); !ok) return inCut(e, work.cut, ok);
-    }
-    if (e.blocks.size() < 2) return {};
-    if (const Result<void> ok = joinAll(works, e, previous, neighbours); !ok) return ok;
-    if (!shared || !e.joints.value->wantsStations(asked) || 2 * *shared - 1 > kMostForJoints) return {};
-    shared = 2 * *shared - 1;
-  }
-}
-
 /// Tells the cuts of which the surface goes on in a neighbouring block.
 KnownNeighbours joinWorks(std::vector<CutWork>& works, const Evaluation& e) {
   KnownNeighbours neighbours(e);
@@ -332,23 +318,25 @@ KnownNeighbours joinWorks(std::vector<CutWork>& works, const Evaluation& e) {
   return neighbours;
 }
 
-/// Of several blocks those are left out, and told of, in which no plane meets the surface in a curve that a
-/// blade can follow. True if there are such.
-Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
-  if (e.blocks.size() < 2) return false;
-  std::vector<std::string>& uncut = e.uncut;
+/// Takes a step of all cuts. Of several blocks those are left out, and told of, of which a cut fails for what
+/// its block, surface and blade are; an error where nothing is left, or where a step fails for another
+/// reason. True if blocks were left out.
+template <class Step>
+Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e, const Step& step) {
+  std::vector<std::string> uncut;
   const auto isUncut = [&uncut](const std::string& block) {
     return std::ranges::find(uncut, block) != uncut.end();
   };
   Findings told;
   std::optional<Error> first;
-  for (const CutWork& work : works) {
-    const Result<void> ok = section(work);
+  for (CutWork& work : works) {
+    const Result<void> ok = step(work);
     if (ok) continue;
     const Error& error = ok.error();
-    if (error.code != ErrorCode::badInput && error.code != ErrorCode::noSolution)
-      return tl::unexpected<Error>(inCut(e, work.cut, ok).error());
-    if (!first) first = inCut(e, work.cut, ok).error();
+    const Result<void> named = inCut(e, work.cut, ok);
+    if (e.blocks.size() < 2 || (error.code != ErrorCode::badInput && error.code != ErrorCode::noSolution))
+      return tl::unexpected<Error>(named.error());
+    if (!first) first = named.error();
     if (!isUncut(work.cut.block)) uncut.push_back(work.cut.block);
     Place where;
     where.block = work.cut.block;
@@ -362,6 +350,7 @@ Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
   if (std::ranges::all_of(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); }))
     return tl::unexpected<Error>(*first);
   append(e.missed, told);
+  e.uncut.insert(e.uncut.end(), uncut.begin(), uncut.end());
   std::vector<CutWork> left;
   for (const CutWork& work : works) {
     if (isUncut(work.cut.block))
@@ -372,6 +361,32 @@ Result<bool> leaveOutUncut(std::vector<CutWork>& works, Evaluation& e) {
   works.swap(left);
   std::erase_if(e.blocks, [&](const BlockEvaluation& block) { return isUncut(block.id); });
   return true;
+}
+
+/// Fits the rows of all cuts, those that go on from block to block with as many stations, and with more until
+/// they meet. True if blocks were left out meanwhile, so that others are neighbours.
+Result<bool> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous,
+                    KnownNeighbours& neighbours) {
+  const JointRequest asked = jointRequest(e.design);
+  std::optional<int> shared;
+  const auto open = [](const CutWork& work) { return work.joined && work.cut.sections.byTolerance(); };
+  for (CutWork& work : works)
+    if (open(work)) {
+      const Result<SectionRequest> own = sectionRequest(work);
+      if (!own) return tl::unexpected<Error>(inCut(e, work.cut, tl::unexpected<Error>(own.error())).error());
+      shared = std::max(shared.value_or(0), *own->stations);
+    }
+  for (;;) {
+    const Result<bool> fewer = leaveOutUncut(works, e, [&](CutWork& work) {
+      if (open(work)) work.stations = shared;
+      return fit(work);
+    });
+    if (!fewer || *fewer || e.blocks.size() < 2) return fewer;
+    if (const Result<void> ok = joinAll(works, e, previous, neighbours); !ok)
+      return tl::unexpected<Error>(ok.error());
+    if (!shared || !e.joints.value->wantsStations(asked) || 2 * *shared - 1 > kMostForJoints) return false;
+    shared = 2 * *shared - 1;
+  }
 }
 
 /// Runs the motions of all cuts, side by side.
@@ -415,6 +430,13 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 }
 
 }  // namespace
+
+bool forRobots(const std::vector<std::string>& formats) {
+  return std::ranges::any_of(formats, [](const std::string& format) {
+    const robotio::Dialect* dialect = robotio::dialect(format);
+    return dialect && dialect->check;
+  });
+}
 
 std::unique_ptr<SurfaceSampler> CutEvaluation::middleSampler() const {
   if (!middle.value) return target.value->sampler();
@@ -488,6 +510,7 @@ Findings Evaluation::findings() const {
     append(all, own);
   }
   append(all, missed);
+  append(all, outside);
   for (const BlockEvaluation& block : blocks)
     for (const CutEvaluation& cut : block.cuts) {
       Findings own = cut.findings();
@@ -609,10 +632,17 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     }
   }
   KnownNeighbours neighbours = joinWorks(works, e);
-  const Result<bool> fewer = leaveOutUncut(works, e);
-  if (!fewer) return stop(fewer.error());
-  if (*fewer) neighbours = joinWorks(works, e);
-  if (ok = fitAll(works, e, previous, neighbours); !ok) return stop(ok.error());
+  Result<bool> fewer = false;
+  if (e.blocks.size() > 1) {
+    fewer = leaveOutUncut(works, e, [](const CutWork& work) { return section(work); });
+    if (!fewer) return stop(fewer.error());
+    if (*fewer) neighbours = joinWorks(works, e);
+  }
+  do {
+    fewer = fitAll(works, e, previous, neighbours);
+    if (!fewer) return stop(fewer.error());
+    if (*fewer) neighbours = joinWorks(works, e);
+  } while (*fewer);
   for (const CutWork& work : works)
     if (ok = check(work); !ok) return stop(inCut(e, work.cut, ok).error());
   // Rows may have become firmer ones.
@@ -630,6 +660,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     for (CutEvaluation& cut : block.cuts)
       if (ok = meshTarget(cut, previous ? previous->find(cut.id) : nullptr, e.seconds.read); !ok)
         return stop(ok.error());
+  lookOutside(e);
   if (purpose == Purpose::files)
     if (ok = seekSpeeds(e, previous, e.seconds.check, context); !ok) return stop(ok.error());
   context.report(1.0, "done");

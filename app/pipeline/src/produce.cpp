@@ -50,6 +50,10 @@ void confirm(Product& product, const RunContext& context) {
   if (product.error) return;
   standing.blocks = std::move(outcome.evaluation.blocks);
   standing.missed = std::move(outcome.evaluation.missed);
+  standing.uncut = std::move(outcome.evaluation.uncut);
+  standing.uncutArea = outcome.evaluation.uncutArea;
+  standing.outside = std::move(outcome.evaluation.outside);
+  standing.outsideShare = outcome.evaluation.outsideShare;
   standing.joints = std::move(outcome.evaluation.joints);
   standing.cell = std::move(outcome.evaluation.cell);
 }

@@ -150,7 +150,7 @@ bool ReachSearch::confirm(const RunContext& context) {
   const Design design = at_(sign * by);
   Outcome outcome = evaluate(design, from_.get(), context);
   Bar bar = Bar::noBlade;
-  if (outcome.evaluation.complete()) {
+  if (!outcome.error && outcome.evaluation.complete() && outcome.evaluation.uncut == from_->uncut) {
     // Looked at as sketches are, from itself: its blades are where it has them.
     const auto evaluation = std::make_shared<const Evaluation>(std::move(outcome.evaluation));
     if (const std::optional<Sketch> sketch = Sketcher(evaluation).draw(design, context)) bar = barOf(*sketch);

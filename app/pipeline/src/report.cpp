@@ -231,6 +231,7 @@ ordered_json summaryJson(const Evaluation& e) {
                           {"program_from_shown_max_mm", ofPrograms(all.fromShown)},
                           {"covered_percent", 100 * all.covered},
                           {"uncovered_max_mm", all.uncovered},
+                          {"outside_percent", 100 * all.outside},
                           {"angle_max_deg", toDegrees(s.angleMax)},
                           {"angle_mean_deg", toDegrees(s.angleMean)},
                           {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},

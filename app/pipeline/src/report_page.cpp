@@ -148,6 +148,7 @@ void limits(Page& page, const Evaluation& e) {
   page.row({std::string("Target in the block that has cut surface over it") +
                 (all.lost > 0 ? ", did the blade keep its shape" : ""),
             shareText(all.covered)});
+  if (all.outside > 0) page.row({"Surface that lies in no block", shortText(100 * all.outside, 3) + " %"});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});

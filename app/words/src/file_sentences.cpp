@@ -87,7 +87,7 @@ std::string Sentences::operator()(const SectionClosed&) const {
 }
 
 std::string Sentences::operator()(const SectionBridged& cause) const {
-  return at() + "the target has a hole or a notch there, of up to " + shortText(cause.width) +
+  return at() + "the target has a hole, a notch or a gap there, of up to " + shortText(cause.width) +
          " mm; the blade crosses it on the surface continued";
 }
 
@@ -178,6 +178,13 @@ std::string Sentences::operator()(const ChangedSource& cause) const {
           : std::to_string(cause.bytesThen) + " bytes then, " + std::to_string(cause.bytesNow) + " now";
   return "the CAD file " + cause.file + " has changed since the design was saved (" + sizes +
          "); look at the result, then save the design again";
+}
+
+std::string Sentences::operator()(const OddSize& cause) const {
+  return "the surface measures " + shortText(cause.size.x()) + " × " + shortText(cause.size.y()) + " × " +
+         shortText(cause.size.z()) + " mm, its file being read in " + cause.readAs +
+         ": if that is not the unit meant, tell which (" +
+         (reader == Reader::commandLine ? "unit" : "Input ▸ Read as") + ")";
 }
 
 std::string Sentences::operator()(const EarlierDesign& cause) const {

@@ -21,6 +21,8 @@ const std::string kNoneServes = "take another blade or direction, or cut in part
 
 std::string mm(double value, int digits = 3) { return shortText(value, digits) + " mm"; }
 
+std::string mm2(double value) { return shortText(value, 3) + " mm²"; }
+
 /// What was found to serve besides another length: another clearance, another margin. Empty if nothing was.
 std::string alsoServes(const Finding& finding) {
   std::string text;
@@ -53,7 +55,7 @@ std::string mmBeside(double number, double limit) { return mm(number, digitsBesi
 
 std::string takesText(const Finding& finding) {
   const BendingBlade* blade = remedyOf<BendingBlade>(finding.remedies);
-  return blade ? "it takes " + bendingBladeText(*blade) : std::string(kInParts);
+  return blade ? "it takes at least " + bendingBladeText(*blade) : std::string(kInParts);
 }
 
 std::string otherBlockText(const Finding& finding, bool single) {
@@ -119,7 +121,7 @@ std::string Sentences::operator()(const TooTight& cause) const {
                      ", so that it stays " + mm(cause.distance) + " or more off (tolerance " +
                      mm(cause.tolerance) + "); " + takesText(finding);
   if (const LargerSurface* larger = remedyOf<LargerSurface>(finding.remedies))
-    text += ", or a surface " + shortText(larger->scale, 4) + " times as large" +
+    text += ", or a surface at least " + shortText(larger->scale, 4) + " times as large" +
             (larger->bladeLength ? " with a blade of " + mm(*larger->bladeLength, 6) : std::string());
   return text;
 }
@@ -166,6 +168,14 @@ std::string Sentences::operator()(const MovedByWeight& cause) const {
 std::string Sentences::operator()(const BentSideways& cause) const {
   return at() + "its own weight across the plane bends the round blade " + mm(cause.distance) +
          " out of it, which the surface shown does not contain; a flat blade carries it";
+}
+
+std::string Sentences::operator()(const WeightElsewhere& cause) const {
+  const auto part = [&](int axis) { return shortText(cause.up[axis], 4); };
+  return "as the block lies in the cell, up is " + fixedText(toDegrees(cause.angle), 0) +
+         "° off what the weight of the blade is counted along, so that it hangs otherwise there; let up be "
+         "[" +
+         part(0) + ", " + part(1) + ", " + part(2) + "], or place the block as it will lie";
 }
 
 std::string Sentences::operator()(const UnknownInWeight& cause) const {
@@ -395,6 +405,17 @@ std::string Sentences::operator()(const Uncovered& cause) const {
     return (cause.area < kHardlyAny ? "a place of the surface in the block" : part) +
            " is not cut: it lies up to " + mm(cause.distance) + " from what is" + remedy;
   return part + " is not cut: it reaches " + mm(cause.distance) + where + remedy;
+}
+
+std::string Sentences::operator()(const OutsideBlocks& cause) const {
+  const std::string part = shortText(100 * cause.share, 3) + " % of the surface (" +
+                           (cause.area < 1e4 ? mm2(cause.area) : shortText(1e-6 * cause.area, 3) + " m²") +
+                           ") ";
+  return part + (cause.several ? "lies in none of the blocks" : "lies outside of the block") + ", up to " +
+         mm(cause.distance) + " from " + (cause.several ? "them" : "it") +
+         ", and is not cut: what is told of the surface is of the rest; " +
+         (cause.several ? "make the blocks larger, or more of them" : "make the block larger, or move it") +
+         ", where that is wanted, too";
 }
 
 std::string Sentences::operator()(const BladeCrosses& cause) const {

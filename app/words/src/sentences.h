@@ -25,6 +25,7 @@ struct Sentences {
   std::string operator()(const SnapsInWeight& cause) const;
   std::string operator()(const MovedByWeight& cause) const;
   std::string operator()(const BentSideways& cause) const;
+  std::string operator()(const WeightElsewhere& cause) const;
   std::string operator()(const UnknownInWeight& cause) const;
   std::string operator()(const WouldTwist& cause) const;
   std::string operator()(const GripTooNear& cause) const;
@@ -35,6 +36,7 @@ struct Sentences {
   std::string operator()(const GapInRow& cause) const;
   std::string operator()(const TooFar& cause) const;
   std::string operator()(const Uncovered& cause) const;
+  std::string operator()(const OutsideBlocks& cause) const;
   std::string operator()(const BladeCrosses& cause) const;
   std::string operator()(const ToldBlades& cause) const;
   std::string operator()(const TargetsCrowd& cause) const;
@@ -85,6 +87,7 @@ struct Sentences {
   std::string operator()(const Healed& cause) const;
   // Files and programs.
   std::string operator()(const ChangedSource& cause) const;
+  std::string operator()(const OddSize& cause) const;
   std::string operator()(const EarlierDesign& cause) const;
   std::string operator()(const UnreadableCell& cause) const;
   std::string operator()(const WrongSide& cause) const;

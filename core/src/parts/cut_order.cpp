@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bw/core/base/box_distance.h"
 #include "bw/core/surface/refine.h"
 #include "bw/core/text/number_text.h"
 
@@ -27,10 +28,11 @@ constexpr double kSameHeight = 0.01;
 /// Points of a surface lie closer together than this part of the diagonal of a block.
 constexpr double kSamples = 60;
 
-/// Adds what of a triangle, given in the coordinates of a box, lies in it: area, and area times height.
-void addPart(const std::array<Vector3d, 3>& triangle, const Vector3d& size, double& area, double& moment) {
+/// What of a triangle, given in the coordinates of a box, lies in that along its first `axes` of three; of no
+/// use where it has fewer than three corners.
+std::vector<Vector3d> partInBox(const std::array<Vector3d, 3>& triangle, const Vector3d& size, int axes) {
   std::vector<Vector3d> part(triangle.begin(), triangle.end()), rest;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < axes; ++axis)
     for (const bool upper : {false, true}) {
       const auto inside = [&](const Vector3d& p) { return upper ? size(axis) - p(axis) : p(axis); };
       rest.clear();
@@ -41,33 +43,76 @@ void addPart(const std::array<Vector3d, 3>& triangle, const Vector3d& size, doub
         if ((a < 0) != (b < 0)) rest.push_back(p + a / (a - b) * (q - p));
       }
       part.swap(rest);
-      if (part.size() < 3) return;
+      if (part.size() < 3) return {};
     }
-  for (std::size_t i = 1; i + 1 < part.size(); ++i) {
-    const double piece = 0.5 * Vector3d(part[i] - part[0]).cross(Vector3d(part[i + 1] - part[0])).norm();
-    area += piece;
-    moment += piece * (part[0].z() + part[i].z() + part[i + 1].z()) / 3;
-  }
+  return part;
 }
 
-}  // namespace
-
-AreaInBox areaInBox(const TriangleMesh& mesh, const Box& box) {
+/// Calls `take` with what of each triangle lies in a box along its first `axes`, in its coordinates.
+template <class Take>
+void eachPart(const TriangleMesh& mesh, const Box& box, int axes, const Take& take) {
   std::vector<Vector3d> points;
   points.reserve(mesh.points.size());
   for (const Vector3d& p : mesh.points) points.push_back(box.frame.toLocal(p));
-  AreaInBox in;
-  double moment = 0;
   for (const auto& corners : mesh.triangles) {
     const std::array<Vector3d, 3> triangle = {
         points[std::size_t(corners[0])], points[std::size_t(corners[1])], points[std::size_t(corners[2])]};
     const Eigen::Array3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]).array(),
                          high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]).array();
-    if ((high < 0).any() || (low > box.size.array()).any()) continue;
-    addPart(triangle, box.size, in.area, moment);
+    if ((high.head(axes) < 0).any() || (low.head(axes) > box.size.head(axes).array()).any()) continue;
+    if (const std::vector<Vector3d> part = partInBox(triangle, box.size, axes); !part.empty()) take(part);
   }
+}
+
+/// Calls `take` with the area and the mean height of each triangle of a convex polygon.
+template <class Take>
+void eachPiece(const std::vector<Vector3d>& part, const Take& take) {
+  for (std::size_t i = 1; i + 1 < part.size(); ++i)
+    take(0.5 * Vector3d(part[i] - part[0]).cross(Vector3d(part[i + 1] - part[0])).norm(),
+         (part[0].z() + part[i].z() + part[i + 1].z()) / 3);
+}
+
+}  // namespace
+
+AreaInBox areaInBox(const TriangleMesh& mesh, const Box& box) {
+  AreaInBox in;
+  double moment = 0;
+  eachPart(mesh, box, 3, [&](const std::vector<Vector3d>& part) {
+    eachPiece(part, [&](double area, double height) {
+      in.area += area;
+      moment += area * height;
+    });
+  });
   if (in.area > 0) in.height = moment / in.area;
   return in;
+}
+
+AreaOutside areaOutside(const TriangleMesh& mesh, const std::vector<Box>& boxes, Outside where) {
+  AreaOutside outside;
+  const auto look = [&](const Vector3d& p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Box& box : boxes) nearest = std::min(nearest, boxDistance(box, p));
+    if (!(nearest > outside.distance) || std::isinf(nearest)) return;
+    outside.distance = nearest;
+    outside.point = p;
+  };
+  for (const auto& [a, b, c] : mesh.triangles)
+    eachPiece({mesh.points[std::size_t(a)], mesh.points[std::size_t(b)], mesh.points[std::size_t(c)]},
+              [&](double area, double) { outside.all += area; });
+  double looked = where == Outside::anywhere ? outside.all : 0, inside = 0;
+  for (const Box& box : boxes) {
+    inside += areaInBox(mesh, box).area;
+    if (where == Outside::overOrUnder)
+      eachPart(mesh, box, 2, [&](const std::vector<Vector3d>& part) {
+        eachPiece(part, [&](double area, double) { looked += area; });
+        for (const Vector3d& p : part)
+          look(box.frame.origin + p.x() * box.frame.x + p.y() * box.frame.y + p.z() * box.frame.normal);
+      });
+  }
+  if (where == Outside::anywhere)
+    for (const Vector3d& p : mesh.points) look(p);
+  outside.area = std::max(0.0, looked - inside);
+  return outside;
 }
 
 std::vector<std::size_t> orderOf(const std::vector<CutTurn>& turns) {
@@ -144,7 +189,7 @@ namespace {
 
 /// The part of the ray from `p` along `way` that lies in a box, mm; its end is less than its start where none
 /// does.
-std::array<double, 2> partInBox(const Box& box, const Vector3d& p, const Vector3d& way) {
+std::array<double, 2> rayInBox(const Box& box, const Vector3d& p, const Vector3d& way) {
   const Vector3d from = box.frame.toLocal(p);
   const Vector3d along(way.dot(box.frame.x), way.dot(box.frame.y), way.dot(box.frame.normal));
   std::array<double, 2> part = {0, box.size.norm() + from.norm()};
@@ -170,7 +215,7 @@ Result<double> takes(const TakingCut& cut, const Box& box, const std::vector<Par
   for (const Vector3d& p : refined(*cut.mesh, box, box.size.norm() / kSamples).points) {
     if (context.stopped()) return stoppedError();
     // What is left lies no nearer than its depth tells.
-    const auto [from, to] = partInBox(box, p, way);
+    const auto [from, to] = rayInBox(box, p, way);
     for (double t = from; t <= to;) {
       const Vector3d q = p + t * way;
       const Result<double> depth = depthIn(before, q);

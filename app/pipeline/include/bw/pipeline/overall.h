@@ -17,7 +17,8 @@ struct Overall {
   /// mm, of what the programs cut: from the target, its mean, and from the surface shown; empty where one
   /// does not run to its end, or was not run.
   std::optional<double> programMax = std::nullopt, programMean = std::nullopt, fromShown = std::nullopt;
-  double covered = 1, uncovered = 0;  ///< share; mm
+  double covered = 1, uncovered = 0;  ///< share, of what lies in the blocks; mm
+  double outside = 0;                 ///< share of all of the surface that lies in none of them
   double cuttingTime = 0;             ///< s, with the leads, without entry and exit
   double runTime = 0;                 ///< s, with these
   std::size_t stations = 0;

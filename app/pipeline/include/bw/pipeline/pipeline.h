@@ -208,6 +208,8 @@ struct Evaluation {
   Findings missed;                 ///< what blocks it does not meet, and why others are not cut
   std::vector<std::string> uncut;  ///< blocks that it meets and that no blade can cut
   double uncutArea = 0;            ///< mm², of the surfaces in these
+  Findings outside;                ///< what of the surfaces lies in none of the blocks
+  double outsideShare = 0;         ///< of the areas of all surfaces, that does
   Stage<JointRequest, Joints>
       joints;                     ///< how the cuts of neighbouring blocks meet; only where there are several
   Stage<CellRequest, Cell> cell;  ///< only where the design asks for programs; its findings tell how the
@@ -230,6 +232,13 @@ struct Evaluation {
   /// Takes the stages that are missing here, of the same cuts, from an evaluation that came farther.
   void takeMissing(const Evaluation& before);
 };
+
+/// True if a surface may well be so many mm long: less, and much more, comes of a file that was read in
+/// another unit than it was drawn in.
+constexpr bool isPlausibleSize(double mm) { return mm >= 40 && mm <= 20000; }
+
+/// True if one of these formats of programs is what robots run: it is held back where there are errors.
+bool forRobots(const std::vector<std::string>& formats);
 
 /// How far an evaluation got before it failed: the stages done stay usable, and the error names the step.
 struct Outcome {

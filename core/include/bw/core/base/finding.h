@@ -129,6 +129,12 @@ struct BentSideways {
   static constexpr FindingKind kind = FindingKind::weight;
   double distance = 0;
 };
+/// In the cell the block lies another way than the blade's weight is counted along.
+struct WeightElsewhere {
+  static constexpr FindingKind kind = FindingKind::weight;
+  double angle = 0;                               ///< between the two ways up
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< what is up there, in the file's frame: unit
+};
 /// How the blade hangs in its weight could not be found.
 struct UnknownInWeight {
   static constexpr FindingKind kind = FindingKind::weight;
@@ -222,6 +228,13 @@ struct Uncovered {
   double area = 0, share = 0;  ///< mm², and of all of the target in the block
   double distance = 0;         ///< beyond the cut surface, or off it, at most
   Where where = Where::beside;
+};
+/// Some of the surface lies in none of the blocks that it is cut in.
+struct OutsideBlocks {
+  static constexpr FindingKind kind = FindingKind::coverage;
+  double area = 0, share = 0;  ///< mm², and of all of the surface
+  double distance = 0;         ///< mm from the nearest block, at most
+  bool several = false;        ///< blocks
 };
 /// The blade crosses itself, or its grips stand on each other's sides.
 struct BladeCrosses {
@@ -423,6 +436,12 @@ struct ChangedSource {
   std::string file;
   std::uint64_t bytesThen = 0, bytesNow = 0;
 };
+/// The surface is so small or so large that the unit of its file is hardly the one meant.
+struct OddSize {
+  static constexpr FindingKind kind = FindingKind::source;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< mm
+  std::string readAs;                              ///< the unit that its numbers were taken in
+};
 /// The design was written by an earlier version of the program; saving it writes the present form.
 struct EarlierDesign {
   static constexpr FindingKind kind = FindingKind::source;
@@ -583,19 +602,18 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
-                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
-                 BladeCrosses, ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay,
-                 ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff,
-                 ServingLengths, GripErrors, HeldByLittle, SectionMissing, SectionPoint, SectionShort,
-                 SectionBranches, SectionClosed, SectionBridged, SectionExtended, SectionBorder, SectionUnfit,
-                 SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
-                 PlanesNotTurned, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-                 JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled, BlocksMissed, BlockUncut,
-                 CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide,
-                 HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<
+    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
+    SnapsInWeight, MovedByWeight, BentSideways, WeightElsewhere, UnknownInWeight, WouldTwist, GripTooNear,
+    NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, OutsideBlocks, BladeCrosses,
+    ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
+    TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff, ServingLengths, GripErrors, HeldByLittle,
+    SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
+    SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+    FacesLeftOut, TravelAcross, PlanesNotTurned, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
+    OddSize, EarlierDesign, JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled, BlocksMissed,
+    BlockUncut, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide,
+    HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

@@ -23,6 +23,20 @@ struct AreaInBox {
 };
 [[nodiscard]] AreaInBox areaInBox(const TriangleMesh& mesh, const Box& box);
 
+/// Where what lies in no box is looked for.
+enum class Outside {
+  anywhere,
+  overOrUnder  ///< along the z of the boxes, not beside them
+};
+/// What of a surface lies in none of the boxes, which have no more than their faces in common.
+struct AreaOutside {
+  double area = 0, all = 0;                         ///< mm², and of all of the surface
+  double distance = 0;                              ///< mm from the nearest box, at most at its points
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< where
+};
+[[nodiscard]] AreaOutside areaOutside(const TriangleMesh& mesh, const std::vector<Box>& boxes,
+                                      Outside where = Outside::anywhere);
+
 /// When a cut is made: first those that were told a place, by it, then the others, the lowest first.
 struct CutTurn {
   std::optional<int> told = std::nullopt;

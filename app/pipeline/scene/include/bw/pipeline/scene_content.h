@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "bw/pipeline/handover.h"
 #include "bw/pipeline/pipeline.h"
@@ -15,6 +17,9 @@ namespace bw::pipeline {
 /// What a picture of an evaluation shows; stages that are missing are left out, but
 /// for a block that could not be used: it is shown where the job puts it.
 scene::Content sceneContent(const Evaluation& evaluation);
+/// The ids of blocks of the design that have no evaluation, since their surface misses them or no blade can
+/// cut it there. Their outlines are numbered on from those of the others; none where there are very many.
+std::vector<std::string> blocksLeftOut(const Evaluation& evaluation);
 /// Marks the place where a surface reaches farthest beyond its cut, where that is more than it may be; empty
 /// if all is cut.
 std::optional<scene::Marker> uncoveredMark(const Evaluation& evaluation);
