@@ -9,6 +9,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/variables.h"
+#include "bw/pipeline/scene_content.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
 #include "workflow/grid_fields.h"
@@ -511,8 +512,33 @@ TEST_F(BlockPanelTest, ABlockGetsItsSecondMould) {
   EXPECT_EQ(bench().design(), made);
   EXPECT_TRUE(window().banner().isVisible());
   bench().document().undoStack().undo();
+  EXPECT_FALSE(window().banner().isVisible()) << "what was refused is of the design before";
   EXPECT_EQ(bench().design(), before);
   EXPECT_FALSE(bench().document().undoStack().canUndo());
+}
+
+TEST_F(BlockPanelTest, ABlockThatNoBladeCutsLeavesTheOthersTheirResults) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  bench().editDesign("Wider", [](Design& design) {
+    design.bindings.clear();
+    design.grid->sizes[0] = {500, 800, 500};
+    design.stock = stockOf(*design.grid);
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << "the others have results";
+  EXPECT_EQ(bench().shown()->blocks.size(), 2u);
+  EXPECT_EQ(pipeline::blocksLeftOut(*bench().shown()), std::vector<std::string>{"column-2"});
+  EXPECT_EQ(plan().wordOf("column-2"), "not cut");
+  picture("blocks-uncut");
+  // Its page says why, and it can be chosen and left.
+  QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-2"));
+  EXPECT_EQ(chosen(), "column-2");
+  ASSERT_TRUE(settle());
+  picture("blocks-uncut-chosen");
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().shown()->blocks.size(), 3u);
+  EXPECT_TRUE(pipeline::blocksLeftOut(*bench().shown()).empty());
 }
 
 TEST_F(BlockPanelTest, BlocksOfAListAreChosenWhereTheyLie) {

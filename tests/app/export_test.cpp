@@ -98,14 +98,14 @@ TEST_F(Exports, LeaveWhatIsStillToBeAddedToTheResult) {
 
 TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
   openPanel();
-  ASSERT_NO_FATAL_FAILURE(typeTolerance("0.5"));
+  ASSERT_NO_FATAL_FAILURE(typeTolerance("2.5"));
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_E, Qt::ControlModifier);
   EXPECT_EQ(asked_, 1) << "the key did nothing";
   EXPECT_TRUE(told("as soon as it stands"));
   ASSERT_TRUE(settle());
   const Result<Design> first = loadDesign(folder() / pipeline::kDesignFile);
   ASSERT_TRUE(first) << first.error().message;
-  EXPECT_EQ(first->process.tolerance, 0.5);
+  EXPECT_EQ(first->process.tolerance, 2.5);
   EXPECT_EQ(outputState(), "Exported");
   EXPECT_FALSE(told("as soon as it stands"));
 
@@ -114,12 +114,12 @@ TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
   };
   QPushButton* button = outputButton("Export everything…");
   ASSERT_TRUE(button);
-  ASSERT_NO_FATAL_FAILURE(typeTolerance("0.75"));
+  ASSERT_NO_FATAL_FAILURE(typeTolerance("2.75"));
   window().workflow().ensureWidgetVisible(button);
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(asked_, 2) << "the button did nothing";
   ASSERT_TRUE(settle());
-  EXPECT_EQ(loadDesign(folder() / pipeline::kDesignFile)->process.tolerance, 0.75);
+  EXPECT_EQ(loadDesign(folder() / pipeline::kDesignFile)->process.tolerance, 2.75);
 }
 
 TEST_F(Exports, TellThatNothingWasWrittenWhereNoResultComes) {
@@ -140,6 +140,23 @@ TEST_F(Exports, TellThatNothingWasWrittenWhereNoResultComes) {
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_FALSE(fs::exists(folder()));
+}
+
+TEST_F(Exports, TellThatErrorsHoldProgramsBackUntilTheyAreMended) {
+  ASSERT_TRUE(window().openExample("single-block"));
+  bench().editDesign("Shorter blade", [](Design& design) { design.blade.length = 690; });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  ASSERT_TRUE(hasErrors(bench().shown()->findings()));
+  EXPECT_EQ(outputState(), "Programs held back");
+  ASSERT_NO_FATAL_FAILURE(exportAll());
+  EXPECT_EQ(outputState(), "Exported, not all programs");
+  EXPECT_EQ(bench().stepStates()[int(model::Step::output)].kind, model::StepState::Kind::warning);
+  EXPECT_TRUE(told("no RAPID program"));
+  bench().document().undoStack().undo();
+  EXPECT_FALSE(told("no RAPID program")) << "it is of the design before";
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(outputState(), "Older export");
 }
 
 TEST_F(Exports, StayThoseOfTheResultWhenItIsSaved) {

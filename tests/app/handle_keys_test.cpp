@@ -290,12 +290,12 @@ TEST_F(HandleKeysTest, TheHeightOfAnEndOfAKeyBladeTakesAnExpression) {
   EXPECT_EQ(bench().design().bindings.at(place).text, "height - 40");
   EXPECT_NEAR(ends()[0].y(), 250, 1e-9);
   EXPECT_LT((ends()[1] - right).norm(), 1e-9) << "the other end stays";
-  EXPECT_EQ(expression("Left end z of key blade 1"), "height - 40");
-  EXPECT_EQ(expression("Right end z of key blade 1"), "");
+  EXPECT_EQ(expression("−x end z of key blade 1"), "height - 40");
+  EXPECT_EQ(expression("+x end z of key blade 1"), "");
   EXPECT_EQ(expression("Lean of key blade 1"), "") << "which the end turns";
   EXPECT_EQ(expression("Lean of key blade 2"), "-lean/3");
   press(Qt::Key_Return);
-  EXPECT_EQ(find<NumberField>("Height of left end of key blade 1")->text(), "=height - 40");
+  EXPECT_EQ(find<NumberField>("Height of −x end of key blade 1")->text(), "=height - 40");
   picture("handle-end-expression");
   pressThere(Qt::Key_Escape);
   // It follows its variable, and keeps its height where the blade is made longer.
@@ -309,9 +309,9 @@ TEST_F(HandleKeysTest, TheHeightOfAnEndOfAKeyBladeTakesAnExpression) {
   pressThere(Qt::Key_Return);
   EXPECT_EQ(std::get<BladesSurface>(bench().design().source().surface->shape).blades[0].length, 640);
   EXPECT_NEAR(ends()[0].y(), 250, 1e-9);
-  EXPECT_EQ(expression("Left end z of key blade 1"), "height - 40");
+  EXPECT_EQ(expression("−x end z of key blade 1"), "height - 40");
   // An expression in the other field of the same end, and one for the middle, which frees the ends.
-  auto* left = find<NumberField>("Left end z of key blade 1");
+  auto* left = find<NumberField>("−x end z of key blade 1");
   left->setFocus();
   left->selectAll();
   type("=height - 30");
@@ -323,13 +323,13 @@ TEST_F(HandleKeysTest, TheHeightOfAnEndOfAKeyBladeTakesAnExpression) {
   type("=height");
   pressThere(Qt::Key_Return);
   EXPECT_EQ(expression("Middle z of key blade 1"), "height");
-  EXPECT_EQ(expression("Left end z of key blade 1"), "");
+  EXPECT_EQ(expression("−x end z of key blade 1"), "");
   ASSERT_TRUE(bench().saveTo(path("fan.bladewright")));
   EXPECT_TRUE(loadDesign(path("fan.bladewright")));
   // What cannot be is told, and nothing changes.
   const Design now = bench().design();
   for (const char* text : {"=2000", "2000"}) {
-    auto* high = find<NumberField>("Left end z of key blade 1");
+    auto* high = find<NumberField>("−x end z of key blade 1");
     high->setFocus();
     high->selectAll();
     type(text);

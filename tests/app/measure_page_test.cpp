@@ -133,6 +133,28 @@ TEST_F(MeasurePageTest, TellsWhenNoBladeFits) {
   EXPECT_TRUE(page().useButton()->isEnabled());
 }
 
+TEST_F(MeasurePageTest, ANumberThatIsRefusedIsNotPassedOver) {
+  openPanel();
+  window().commands()["blade.measure"]->trigger();
+  typeMeasurement(1, 760, 25, 135);
+  auto* height = find<NumberField>("Height 1");
+  QTest::keyClick(height, Qt::Key_Tab);
+  ASSERT_TRUE(page().useButton()->isEnabled());
+  type("Height 1", "-10");
+  QTest::keyClick(height, Qt::Key_Tab);
+  ASSERT_TRUE(height->refused());
+  EXPECT_FALSE(page().useButton()->isEnabled()) << "what stands there is of the number before";
+  EXPECT_FALSE(find<QLabel>("Blade length at the cut")->isEnabled());
+  picture("measure-refused");
+  // Esc takes it back, wherever the keyboard is, and leaves the page where there is nothing to take back.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  EXPECT_FALSE(height->refused());
+  EXPECT_TRUE(page().isVisible());
+  EXPECT_TRUE(page().useButton()->isEnabled());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  EXPECT_FALSE(page().isVisible());
+}
+
 TEST_F(MeasurePageTest, CorrectsTheTemperatureOfTheMeasurement) {
   openPanel();
   window().commands()["blade.measure"]->trigger();

@@ -193,6 +193,27 @@ TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {
   EXPECT_EQ(blade(1), before);
 }
 
+TEST_F(SurfaceHandlesTest, NothingIsWrittenOfWhatAHandHolds) {
+  open("single-block");
+  int asked = 0;
+  window().questions().exportFolder = [&] {
+    ++asked;
+    return QString();
+  };
+  const QPoint from = at(0);
+  ASSERT_EQ(view().handleAt(from), 0);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 4; ++i) QTest::mouseMove(&view(), from - QPoint(0, 3 * i));
+  ASSERT_TRUE(view().holding());
+  window().commands()["file.export"]->trigger();
+  EXPECT_EQ(asked, 0);
+  EXPECT_TRUE(window().banner().text().contains("Let go")) << window().banner().text().toStdString();
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 12));
+  window().commands()["file.export"]->trigger();
+  EXPECT_EQ(asked, 1);
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(SurfaceHandlesTest, AnEndOfAKeyBladeTurnsItAboutTheOther) {
   open("key-blade-fan");
   const auto blade = [&](std::size_t i) {
@@ -205,7 +226,7 @@ TEST_F(SurfaceHandlesTest, AnEndOfAKeyBladeTurnsItAboutTheOther) {
   ASSERT_EQ(view().handleAt(from), kRight);
   QTest::mousePress(&view(), Qt::LeftButton, {}, from);
   for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), from - QPoint(0, 2 * i));
-  EXPECT_EQ(handles().text.find("Right end of key blade 2: "), 0u) << handles().text;
+  EXPECT_EQ(handles().text.find("+x end of key blade 2: "), 0u) << handles().text;
   const double height = handles().points[kRight].z();
   EXPECT_GT(height, right.z() + 2);
   EXPECT_NEAR(height, std::round(height), 1e-6) << "whole mm";

@@ -187,7 +187,7 @@ void BlockPlan::choose(const Cell& cell) {
   const auto cut = std::ranges::find(bench_.design().cuts, cell.id, &Cut::block);
   if (cut == bench_.design().cuts.end())
     return bench_.tell(
-        Topic::other, Severity::info,
+        Topic::declined, Severity::info,
         tr("%1 has no cut; there is nothing to be shown of it").arg(QString::fromStdString(cell.id)));
   bench_.select({Selection::Kind::block, -1, cell.id, cut->id});
 }

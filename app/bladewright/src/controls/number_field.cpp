@@ -154,6 +154,10 @@ void NumberField::setBlank(const QString& words) {
 
 QString NumberField::limitsText() const {
   const QString gap = range_.unit.isEmpty() || range_.unit == QChar(0xb0) ? QString() : QStringLiteral(" ");
+  constexpr double kAnywhere = 1e7;  // what only keeps numbers in reason
+  if (range_.min <= -kAnywhere && range_.max >= kAnywhere)
+    return range_.unit.isEmpty() ? tr("Any number") : tr("Any number, in %1").arg(range_.unit);
+  if (range_.max >= kAnywhere) return tr("%1%2 at least").arg(textOf(range_.min), gap + range_.unit);
   return tr("%1 to %2%3").arg(textOf(range_.min), textOf(range_.max), gap + range_.unit);
 }
 

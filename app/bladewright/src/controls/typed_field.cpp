@@ -126,6 +126,7 @@ void TypedField::mark(const QString& refusal) {
       icon_ = addAction(QIcon(Theme::pixmap("error", errorColour_, 16)), QLineEdit::LeadingPosition);
     else
       delete std::exchange(icon_, nullptr);
+    emit refusedChanged();
   }
   if (refused())
     showNote();

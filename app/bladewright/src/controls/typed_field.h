@@ -51,6 +51,10 @@ class TypedField : public QLineEdit {
   QColor errorColour() const { return errorColour_; }
   void setErrorColour(const QColor& colour);
 
+ signals:
+  /// It is refused now, or no longer is.
+  void refusedChanged();
+
  protected:
   /// Takes a text that was finished. Returns why it is refused, in one sentence; empty if it was taken.
   virtual QString take(const QString& text) = 0;

@@ -126,8 +126,10 @@ QLayout* MeasureAnswer::makeSingle() {
   return singleColumn;
 }
 
-void MeasureAnswer::setOutcome(const MeasurementOutcome& outcome, int chosen, bool hinged) {
+void MeasureAnswer::setOutcome(const MeasurementOutcome& outcome, int chosen, bool hinged, bool outdated) {
   outcome_ = outcome;
+  outdated_ = outdated;
+  for (QLabel* label : {length_, interval_, reference_, fit_}) label->setEnabled(!outdated);
   refreshCommon();
   refreshUse();
   refreshSingle(chosen, hinged);
@@ -180,8 +182,10 @@ void MeasureAnswer::refreshUse() {
   const auto& length = outcome_.length;
   const bool open = !bench_.document().empty();
   const bool fits = length && storedLength() >= kShortest && storedLength() <= kLongest;
-  use_->setEnabled(open && fits);
-  if (!open)
+  use_->setEnabled(open && fits && !outdated_);
+  if (outdated_)
+    useNote_->setText(tr("The number marked red is not in it; mend that first, or take it back with Esc."));
+  else if (!open)
     useNote_->setText(tr("Open a surface or a design to use the length there."));
   else if (length && !fits)
     useNote_->setText(tr("A design takes blades of %1 to %2 mm.").arg(kShortest).arg(kLongest));
@@ -245,7 +249,7 @@ void MeasureAnswer::use() {
       design.blade.autoLength = false;
     });
     bench_.tell(
-        Topic::other, Severity::info,
+        Topic::made, Severity::info,
         tr("The blade is now %1 mm long; it was %2 mm.")
             .arg(QString::fromStdString(shortText(length, 8)), QString::fromStdString(shortText(before, 8))));
   }

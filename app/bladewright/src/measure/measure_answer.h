@@ -21,7 +21,8 @@ class MeasureAnswer : public QWidget {
   MeasureAnswer(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
   /// `chosen` is the row whose numbers are shown alone; `hinged` as on the sheet that was evaluated.
-  void setOutcome(const MeasurementOutcome& outcome, int chosen, bool hinged);
+  /// `outdated`: something else is typed that is refused.
+  void setOutcome(const MeasurementOutcome& outcome, int chosen, bool hinged, bool outdated = false);
   QPushButton* useButton() { return use_; }
   /// What it tells in words: the problem, or a warning, or nothing.
   QString message() const { return message_->text(); }
@@ -44,6 +45,7 @@ class MeasureAnswer : public QWidget {
   Workbench& bench_;
   const Theme& theme_;
   MeasurementOutcome outcome_;
+  bool outdated_ = false;
   QLabel *icon_, *message_;
   QLabel *length_, *interval_, *reference_, *fit_;
   QPushButton* use_;

@@ -105,6 +105,7 @@ QWidget* MeasurePage::makeInput() {
     field->setLive(true);
     field->setBlank(tr("unknown"));
     connect(field, &NumberField::edited, this, &MeasurePage::refresh);
+    connect(field, &NumberField::refusedChanged, this, &MeasurePage::refresh);
     return field;
   };
   heightError_ =
@@ -157,7 +158,7 @@ void MeasurePage::refresh() {
                            lengthText(blade.length), QString::fromStdString(shortText(blade.temperature, 4)),
                            QString::fromStdString(shortText(1e6 * blade.thermalExpansion, 3))));
   refreshDrawing();
-  answer_->setOutcome(outcome_, table_->chosen(), sheet.hinged);
+  answer_->setOutcome(outcome_, table_->chosen(), sheet.hinged, refusedField(*this) != nullptr);
 }
 
 void MeasurePage::refreshDrawing() {
@@ -175,10 +176,12 @@ void MeasurePage::refreshDrawing() {
 }
 
 void MeasurePage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape)
-    emit left();
+  if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+  // What is marked red goes first, wherever the keyboard is.
+  if (TypedField* field = refusedField(*this))
+    field->restore();
   else
-    QWidget::keyPressEvent(event);
+    emit left();
 }
 
 }  // namespace bw::app

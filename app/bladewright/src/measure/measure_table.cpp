@@ -64,6 +64,7 @@ void MeasureTable::appendLine(const MeasurementRow& row) {
     number->show(value);
     number->installEventFilter(this);
     connect(number, &NumberField::edited, this, &MeasureTable::edited);
+    connect(number, &NumberField::refusedChanged, this, &MeasureTable::edited);
     return number;
   };
   line.distance = field({1, kLargest, 2, 1, "mm"}, row.distance, 100);

@@ -149,7 +149,7 @@ QSize VersionList::sizeHint() const {
 }
 
 void VersionList::edit(const QString& step, const Result<Design>& changed) {
-  if (!changed) return bench_.tell(Topic::other, changed.error());
+  if (!changed) return bench_.tell(Topic::declined, changed.error());
   bench_.editDesign(step, [&changed](Design& design) { design = *changed; });
 }
 

@@ -111,7 +111,7 @@ void HandleKeys::take(HandleNumber number, double to, const NumberField& field) 
     heights[std::size_t(*end)] = to;
     const auto& blades = std::get<BladesSurface>(now.shape).blades;
     const Result<KeyBlade> turned = withEndHeights(blades[std::size_t(*bladeOf(now, handle()))], heights);
-    if (!turned) return bench_.tell(Topic::other, turned.error());
+    if (!turned) return bench_.tell(Topic::declined, turned.error());
   }
   const double by = to - *numberOf(now, handle(), number);
   const bool up = number == HandleNumber::height;

@@ -174,9 +174,9 @@ void MainWindow::takeKeyBlades(pipeline::Told told) {
   if (!cut || !bench_.current()) return;
   const double tolerance = kKeyBladeShare * bench_.design().process.tolerance;
   const Result<pipeline::CutKeyBlades> keys = pipeline::keyBladesOf(*cut, told, tolerance, {});
-  if (!keys) return bench_.tell(Topic::other, keys.error());
+  if (!keys) return bench_.tell(Topic::declined, keys.error());
   Result<Design> changed = pipeline::withSurface(*shown, cut->id, keys->surface);
-  if (!changed) return bench_.tell(Topic::other, changed.error());
+  if (!changed) return bench_.tell(Topic::declined, changed.error());
   const std::size_t count = std::get<BladesSurface>(keys->surface.shape).blades.size();
   bench_.editDesign(told == pipeline::Told::cut ? tr("Adopt what is cut") : tr("Surface as key blades"),
                     [&changed](Design& design) { design = std::move(*changed); });
@@ -193,7 +193,7 @@ void MainWindow::makeMoulds() {
   const std::shared_ptr<const pipeline::Evaluation> shown = bench_.shown();
   if (!shown || !bench_.current()) return;
   const auto told = [this](Result<Design> moulds) {
-    if (!moulds) bench_.tell(Topic::other, moulds.error());
+    if (!moulds) bench_.tell(Topic::declined, moulds.error());
     return moulds;
   };
   // What keeps the blocks from it is told before anything is asked.

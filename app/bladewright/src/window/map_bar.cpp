@@ -18,7 +18,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kComparisonWidth = 158, kAloneWidth = 86;  // with a second picture, and without
-constexpr int kRangeWidth = 66;                          // of an end of the legend, without its unit
+constexpr int kRangeWidth = 104;                         // of an end of the legend, with its unit
 
 /// A number with the digits that the legend has.
 double asRead(double value) {
@@ -76,6 +76,10 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   layersMenu_->addAction(content);
   layers_->setMenu(layersMenu_);
   rangeGroup_ = addGroup();
+  // Whichever map is chosen, the bar has as many rows, and the picture below it stays where it is.
+  QSizePolicy policy = rangeGroup_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  rangeGroup_->setSizePolicy(policy);
   const NumberRange range{-1e6, 1e6, 3, 0.1, {}};
   const auto number = [&](const QString& name) {
     auto* n = new NumberField(range, this);
@@ -216,11 +220,8 @@ void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range
 }
 
 void MapBar::setRangeUnit(const QString& unit) {
-  for (NumberField* field : {min_, max_}) {
-    if (field->range().unit == unit) continue;
-    field->setUnit(unit);
-    field->setFixedWidth(kRangeWidth + field->textMargins().right());
-  }
+  for (NumberField* field : {min_, max_})
+    if (field->range().unit != unit) field->setUnit(unit);
 }
 
 void MapBar::setCreases(bool any) {

@@ -59,9 +59,7 @@ Banner::Banner(const Theme& theme, QWidget* parent)
 }
 
 void Banner::tell(const Notice& notice) {
-  std::erase_if(standing_, [&](const Notice& n) {
-    return n.text == notice.text || (n.topic == notice.topic && n.topic != Topic::other);
-  });
+  std::erase_if(standing_, [&](const Notice& n) { return n.text == notice.text || n.topic == notice.topic; });
   standing_.push_back(notice);
   showFront();
 }

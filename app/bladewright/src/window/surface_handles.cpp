@@ -243,8 +243,8 @@ QString SurfaceHandles::nameOf(int handle) const {
   if (const std::optional<int> blade = surface ? bladeOf(*surface, handle) : std::nullopt) {
     const std::optional<int> end = endOf(*surface, handle);
     return (!end        ? tr("Middle of %1")
-            : *end == 0 ? tr("Left end of %1")
-                        : tr("Right end of %1"))
+            : *end == 0 ? tr("−x end of %1")
+                        : tr("+x end of %1"))
         .arg(curveTitle(bench_, std::size_t(*blade)));
   }
   return {};

@@ -32,45 +32,54 @@ void MainWindow::makeCommands() {
                           bool checkable = false) {
     return commands_.add({id, text, icon, tip, keys, checkable}, std::move(run));
   };
-  add("file.newBlock", tr("&New single block"), "new",
-      tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"), {QKeySequence::New},
-      [this](bool) { openExample(pipeline::kSingleBlock); });
-  add("file.newWall", tr("New &wall of blocks"), "grid",
-      tr("A surface through sections over three blocks of 600 × 800 × 500 mm side by side"),
-      {QKeySequence("Ctrl+Shift+N")}, [this](bool) { openExample(pipeline::kBlockWall); });
-  add("file.open", tr("&Open CAD surface…"), "open",
-      tr("A STEP, IGES or BREP file, or the curves of one or of a DXF drawing"), {QKeySequence::Open},
-      [this](bool) {
-        if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
-      });
-  add("file.openDesign", tr("Open &design…"), "folder", tr("A .bladewright file"),
-      {QKeySequence("Ctrl+Shift+O")}, [this](bool) {
-        if (const QString file = questions_.openDesign(); !file.isEmpty()) openFile(file);
-      });
-  add("file.replace", tr("Replace s&urface…"), "", tr("Another CAD file under the same settings"), {},
-      [this](bool) { replaceSurface(tr("Replace surface")); });
-  add("file.reload", tr("Re&load surface"), "", tr("Read the CAD file again; settings and undo stay"),
-      {QKeySequence("Ctrl+R")}, [this](bool) { bench_.reloadSource(); });
-  add("file.locate", tr("Loca&te surface…"), "", tr("Say where the CAD file is now"), {},
-      [this](bool) { locateSurface(); });
-  add("file.save", tr("&Save"), "save", tr("Save the design"), {QKeySequence::Save},
-      [this](bool) { save(); });
-  add("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),
-      {QKeySequence("Ctrl+Shift+S")}, [this](bool) { saveAs(); });
-  add("file.export", tr("&Export everything…"), "export",
-      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder"),
-      {QKeySequence("Ctrl+E")}, [this](bool) { exportEverything(); });
-  add("file.programs", tr("Export &programs…"), "program", tr("The robot programs alone"), {},
-      [this](bool) { exportPrograms(); });
-  add("file.picture", tr("Export p&icture…"), "picture", tr("The view as PNG at any size"),
-      {QKeySequence("Ctrl+Shift+E")}, [this](bool) { exportPicture(); });
-  add("file.unsaved", tr("&Unsaved work…"), "", tr("Designs that an earlier session left unsaved"), {},
-      [this](bool) { showUnsaved(); });
-  add("file.close", tr("&Close"), "close", tr("Back to the start page"), {QKeySequence("Ctrl+W")},
-      [this](bool) {
-        if (mayLeave()) showStartPage();
-      });
-  add("file.quit", tr("&Quit"), "", {}, {QKeySequence("Ctrl+Q")}, [this](bool) { close(); });
+  // What is written or left is what was let go, not what is on its way.
+  const auto addOfFile = [this, add](const char* id, const QString& text, const char* icon,
+                                     const QString& tip, const QList<QKeySequence>& keys,
+                                     const std::function<void(bool)>& run) {
+    return add(id, text, icon, tip, keys, [this, run](bool checked) {
+      if (!view_->holding() && !bench_.handHolds()) return run(checked);
+      bench_.tell(Topic::evaluation, Severity::info, tr("Let go of what you hold first."));
+    });
+  };
+  addOfFile("file.newBlock", tr("&New single block"), "new",
+            tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"), {QKeySequence::New},
+            [this](bool) { openExample(pipeline::kSingleBlock); });
+  addOfFile("file.newWall", tr("New &wall of blocks"), "grid",
+            tr("A surface through sections over three blocks of 600 × 800 × 500 mm side by side"),
+            {QKeySequence("Ctrl+Shift+N")}, [this](bool) { openExample(pipeline::kBlockWall); });
+  addOfFile("file.open", tr("&Open CAD surface…"), "open",
+            tr("A STEP, IGES or BREP file, or the curves of one or of a DXF drawing"), {QKeySequence::Open},
+            [this](bool) {
+              if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
+            });
+  addOfFile("file.openDesign", tr("Open &design…"), "folder", tr("A .bladewright file"),
+            {QKeySequence("Ctrl+Shift+O")}, [this](bool) {
+              if (const QString file = questions_.openDesign(); !file.isEmpty()) openFile(file);
+            });
+  addOfFile("file.replace", tr("Replace s&urface…"), "", tr("Another CAD file under the same settings"), {},
+            [this](bool) { replaceSurface(tr("Replace surface")); });
+  addOfFile("file.reload", tr("Re&load surface"), "", tr("Read the CAD file again; settings and undo stay"),
+            {QKeySequence("Ctrl+R")}, [this](bool) { bench_.reloadSource(); });
+  addOfFile("file.locate", tr("Loca&te surface…"), "", tr("Say where the CAD file is now"), {},
+            [this](bool) { locateSurface(); });
+  addOfFile("file.save", tr("&Save"), "save", tr("Save the design"), {QKeySequence::Save},
+            [this](bool) { save(); });
+  addOfFile("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),
+            {QKeySequence("Ctrl+Shift+S")}, [this](bool) { saveAs(); });
+  addOfFile("file.export", tr("&Export everything…"), "export",
+            tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder"),
+            {QKeySequence("Ctrl+E")}, [this](bool) { exportEverything(); });
+  addOfFile("file.programs", tr("Export &programs…"), "program", tr("The robot programs alone"), {},
+            [this](bool) { exportPrograms(); });
+  addOfFile("file.picture", tr("Export p&icture…"), "picture", tr("The view as PNG at any size"),
+            {QKeySequence("Ctrl+Shift+E")}, [this](bool) { exportPicture(); });
+  addOfFile("file.unsaved", tr("&Unsaved work…"), "", tr("Designs that an earlier session left unsaved"), {},
+            [this](bool) { showUnsaved(); });
+  addOfFile("file.close", tr("&Close"), "close", tr("Back to the start page"), {QKeySequence("Ctrl+W")},
+            [this](bool) {
+              if (mayLeave()) showStartPage();
+            });
+  addOfFile("file.quit", tr("&Quit"), "", {}, {QKeySequence("Ctrl+Q")}, [this](bool) { close(); });
 
   add("edit.undo", tr("&Undo"), "undo", {}, undoKeys(),
       [this](bool) { bench_.document().undoStack().undo(); });

@@ -122,7 +122,7 @@ void MainWindow::runOrder() {
   const auto write = std::exchange(ordered_, nullptr);
   if (!write) return;
   if (bench_.current()) return write();
-  bench_.tell(Topic::written, Severity::error,
+  bench_.tell(Topic::declined, Severity::error,
               tr("Nothing was exported, because the design has no finished result."));
 }
 
@@ -157,7 +157,7 @@ void MainWindow::exportPicture() {
   const double ratio = std::max(1.0, double(size.width()) / std::max(1, view_->width()));
   const QImage image = beside_->picture(size, ratio);
   if (Result<void> written = writePng(image, file.toStdString()); !written)
-    return bench_.tell(Topic::written, written.error());
+    return bench_.tell(Topic::declined, written.error());
   bench_.tell(Topic::written, Severity::info, tr("Picture written to %1").arg(file));
 }
 

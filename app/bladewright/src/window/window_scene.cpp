@@ -165,6 +165,9 @@ void MainWindow::hideObjects(scene::Style& style) const {
       surface.seen = surface.seen || !gone;
     }
   }
+  const std::vector<std::string> leftOut = pipeline::blocksLeftOut(*shown);
+  for (std::size_t k = 0; k < leftOut.size(); ++k)
+    if (bench_.hidden({Object::Kind::block, leftOut[k]})) hide({int(shown->blocks.size() + k)}, {block});
   for (const auto& [mesh, surface] : targets)
     if (!surface.seen) hide(surface.id, {target});
   const std::vector<Source>& sources = shown->design.sources;

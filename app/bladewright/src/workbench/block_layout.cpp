@@ -28,7 +28,7 @@ bool layOut(Workbench& bench, const QString& text, const Design& from, const Blo
   Result<Design> changed = withGrid(from, before, next, bench.cut().block);
   if (changed) changed = resolved(*changed);
   if (!changed) {
-    bench.tell(Topic::other, changed.error());
+    bench.tell(Topic::declined, changed.error());
     return false;
   }
   bench.editDesign(

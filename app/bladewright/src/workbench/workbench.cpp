@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/workbench.h"
 
+#include <QGuiApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -22,9 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A surface outside these extents is more likely a mistaken unit than a job for a hot blade, mm.
-constexpr double kSmallestPlausible = 40;
-constexpr double kLargestPlausible = 20000;
 constexpr double kSamePlace = 1e-6;  // mm by which a block is no nearer than another
 
 }  // namespace
@@ -37,8 +35,10 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
   connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
   // What a command made is told after its step.
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, this,
-          [this] { emit noticesOutdated(Topic::made); });
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    emit noticesOutdated(Topic::made);
+    emit noticesOutdated(Topic::declined);
+  });
   connect(&watch_, &model::SourceWatch::changed, this, &Workbench::onSourceChanged);
   connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
   connect(&watch_, &model::SourceWatch::back, this, [this] { emit noticesOutdated(Topic::source); });
@@ -96,7 +96,7 @@ void Workbench::onReplaced() {
   reading_.reset();
   drawing_.reset();
   for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file, Topic::written,
-                            Topic::made, Topic::other})
+                            Topic::made, Topic::declined})
     emit noticesOutdated(topic);
   change |= resultChange();
   change.whole |= Aspect::messages;
@@ -317,6 +317,8 @@ Change Workbench::resultChange() {
 void Workbench::onDesignChanged() {
   Change change = settleSelection();
   if (!document_.empty()) runner_.evaluate(document_.design(), live_);
+  lastLive_ = live_;
+  exportProblem_.clear();
   change.whole |= Aspect::design | Aspect::state;
   emit changed(change);
 }
@@ -402,6 +404,7 @@ void Workbench::onFinished() {
   }
   noteSourceRead();
   judgeSize();
+  if (!runner_.error()) tellDirection();
   emit changed(change);
 }
 
@@ -411,7 +414,7 @@ void Workbench::judgeSize() {
   const Eigen::Vector3d size = target->bounds().size();
   if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();
-  if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return emit noticesOutdated(Topic::unit);
+  if (pipeline::isPlausibleSize(largest)) return emit noticesOutdated(Topic::unit);
   const auto text = [](double mm) { return QString::fromStdString(shortText(mm, 4)); };
   tell(
       {Severity::warning,
@@ -453,6 +456,8 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
   live_ = false;
 }
 
+bool Workbench::handHolds() const { return lastLive_ && QGuiApplication::mouseButtons() != Qt::NoButton; }
+
 void Workbench::editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                           const std::function<void()>& edit) {
   binding_ = {place, bound};
@@ -483,7 +488,7 @@ Result<void> Workbench::rename(const Object& object, const std::string& name) {
   const bool isCurve = object.kind == Object::Kind::curve;
   if (name == object.id && !isCurve) return {};
   const Result<Design> changed = renamed(design(), object, name);
-  if (!changed) return refuse(Topic::other, changed.error());
+  if (!changed) return refuse(Topic::declined, changed.error());
   Selection next = selection_;
   if (object.kind == Object::Kind::block && next.block == object.id) next.block = name;
   if (object.kind == Object::Kind::cut && next.cut == object.id) next.cut = name;

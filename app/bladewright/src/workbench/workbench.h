@@ -56,7 +56,7 @@ struct Spot {
   Bounds bounds;  ///< its station's blade and the block: what shows it in its surroundings
 };
 
-/// What a notice is about. A new one takes the place of the last of its topic, except of `other`.
+/// What a notice is about. A new one takes the place of the last of its topic.
 enum class Topic {
   evaluation,  ///< the newest result: outdated by the next
   source,      ///< the CAD file of the open design: outdated when another design is opened
@@ -64,11 +64,11 @@ enum class Topic {
   file,        ///< opening, recovering and saving the open design: likewise, and by a save
   autosave,    ///< outdated once autosave works again
   recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
-  written,     ///< what an export wrote, or why it did not: outdated when another design is opened
+  written,     ///< what an export wrote: outdated when another design is opened
   locked,      ///< what is locked and was to be changed: outdated when another lock is
   made,        ///< what a command made of the design: outdated by the next change of it
   refusal,     ///< a text in a field that keeps an export from beginning: outdated when it changes
-  other        ///< outdated when another design is opened
+  declined     ///< why a command or an export did not do what was asked: outdated by the next change
 };
 
 /// A line above the picture that tells something; `action` is the text of its button, if it has one. It
@@ -78,7 +78,7 @@ struct Notice {
   QString text;
   QString action;
   std::function<void()> run;
-  Topic topic = Topic::other;
+  Topic topic = Topic::declined;
 };
 
 /// The window's state without widgets: document, results, selection and playhead. Widgets read it and call
@@ -246,6 +246,8 @@ class Workbench : public QObject {
   /// still holds the handle.
   void editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId = -1,
                   bool live = false);
+  /// True while the mouse holds what was changed last: a handle, a slider, a boundary.
+  bool handHolds() const;
   /// The same for the cut or the block selected.
   void editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId = -1,
                bool live = false);
@@ -298,6 +300,8 @@ class Workbench : public QObject {
   void onReplaced();
   void onDesignChanged();
   void onFinished();
+  /// What a search for the direction came to that was asked for by a remedy.
+  void tellDirection();
   void tellChanged(model::Aspects whole) { emit changed({whole}); }
   Cut& cutOf(Design& design) const;  ///< the one selected
   /// Selects the cut in whose block a place lies, or the nearest one, of those of the same source.
@@ -368,6 +372,9 @@ class Workbench : public QObject {
   double playTime_ = 0;
   bool moving_ = false;
   bool live_ = false;
+  bool lastLive_ = false;  ///< of the last change
+  /// The cut whose direction a remedy had searched, until that is told.
+  std::string directionAsked_;
   bool sketchTold_ = false;  ///< views show a sketch
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by

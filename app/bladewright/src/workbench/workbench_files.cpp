@@ -353,12 +353,13 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
     tell(Topic::written, Severity::info, tr("The export was stopped; nothing was written."));
   } else {
     if (open) exportProblem_ = QString::fromStdString(done.error().message);
-    tell(Topic::written, done.error());
+    tell(Topic::declined, done.error());
   }
   tellChanged(Aspect::state);
 }
 
 void Workbench::tellWritten(const Export& made) {
+  for (const Topic earlier : {Topic::written, Topic::declined}) emit noticesOutdated(earlier);
   const std::vector<WrittenFile> files = writtenFiles(made.files);
   std::uintmax_t bytes = 0;
   for (const WrittenFile& file : files) bytes += file.bytes;
@@ -378,7 +379,7 @@ void Workbench::tellWritten(const Export& made) {
   if (findings.empty()) return tell(Topic::written, Severity::info, written);
   const QString first = QString::fromStdString(words::sentence(findings.front(), words::Reader::window));
   if (findings.front().kind() == FindingKind::program)
-    return tell(Topic::written, findings.front().severity, tr("%1, but %2.").arg(written, first));
+    return tell(Topic::declined, findings.front().severity, tr("%1, but %2.").arg(written, first));
   const QString more =
       findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
   tell(Topic::written, Severity::warning,

@@ -95,7 +95,9 @@ struct Mend {
     cut.sections.stations = remedy.count;
     cut.sections.spacing.reset();
   }
-  void operator()(const TurnDirection&) const { cut.direction.reset(); }
+  void operator()(const TurnDirection&) const {
+    if (!design.grid) cut.direction.reset();  // its blocks are cut along their rows
+  }
   void operator()(const OtherCell& remedy) const { design.output.cell = remedy.name; }
   void operator()(const WiderTolerance& remedy) const { design.process.tolerance = remedy.tolerance; }
 };
@@ -241,6 +243,27 @@ void Workbench::apply(const Remedy& remedy) {
   editDesign(QString::fromStdString(words::action(remedy)), [&](Design& design) {
     std::visit(Mend{design, cutOf(design)}, remedy);
   });
+  if (std::holds_alternative<TurnDirection>(remedy)) directionAsked_ = cut().id;
+}
+
+void Workbench::tellDirection() {
+  const std::string asked = std::exchange(directionAsked_, {});
+  const pipeline::CutEvaluation* made =
+      asked.empty() || !runner_.evaluation() ? nullptr : runner_.evaluation()->find(asked);
+  if (!made || !made->directions.value) return;
+  const pipeline::DirectionSearch& search = *made->directions.value;
+  const QString best = QString::fromStdString(search.trials[search.chosen].name);
+  tell(Topic::evaluation, Severity::info,
+       search.trials.size() == 1
+           ? tr("The direction was searched: it goes along the %1, and no other can be clearly better.")
+                 .arg(best)
+       : search.chosen == 0
+           ? tr("%1 directions were tried; none is clearly better than the %2, along which it goes.")
+                 .arg(search.trials.size())
+                 .arg(best)
+           : tr("%1 directions were tried; it goes along the %2 now, the best of them.")
+                 .arg(search.trials.size())
+                 .arg(best));
 }
 
 }  // namespace bw::app

@@ -288,7 +288,7 @@ void InputFields::embed(bool on) {
   if (on) {
     Result<std::string> bytes = readFile(bench_.sourceFile());
     if (!bytes) {
-      bench_.tell(Topic::other, bytes.error());
+      bench_.tell(Topic::declined, bytes.error());
       refresh();
       return;
     }

@@ -128,8 +128,13 @@ void OutputFields::refreshState() {
   export_->setText((wanted == pipeline::Wanted() ? tr("Export everything") : tr("Export what is chosen")) +
                    asks);
   exportPrograms_->setText(tr("Export programs") + asks);
-  export_->setEnabled(bench_.canExport());
-  exportPrograms_->setEnabled(bench_.canExportPrograms());
+  // A button that goes out of use must not hand the keyboard on to the next, which Space would press then.
+  const auto allow = [](QPushButton& button, bool may) {
+    if (!may && button.hasFocus() && !returnKeyboard(button)) button.clearFocus();
+    button.setEnabled(may);
+  };
+  allow(*export_, bench_.canExport());
+  allow(*exportPrograms_, bench_.canExportPrograms());
   const QString folder = QString::fromStdString(bench_.exportFolder().string());
   exported_->setVisible(!folder.isEmpty());
   if (folder.isEmpty()) return;

@@ -27,7 +27,7 @@ bool take(Workbench& bench, const QString& text, Result<Design> changed) {
     if (!spline) changed = tl::unexpected<Error>(spline.error());
   }
   if (!changed) {
-    bench.tell(Topic::other, changed.error());
+    bench.tell(Topic::declined, changed.error());
     return false;
   }
   bench.editDesign(text, [&](Design& design) { design = std::move(*changed); });

@@ -257,7 +257,7 @@ void CutFields::add() {
   const Cut& beside = bench_.cut();
   const BlockPlacement placed = placementOf(bench_).value_or(BlockPlacement());
   Result<AnotherCut> another = withAnotherCut(bench_.design(), beside, placed);
-  if (!another) return bench_.tell(Topic::other, another.error());
+  if (!another) return bench_.tell(Topic::declined, another.error());
   // What lay around the surface stays where it is.
   if (!bench_.block().placement && bench_.shownCut() && bench_.shownCut()->setup)
     std::ranges::find(another->design.stock, beside.block, &StockBlock::id)->placement = placed;

@@ -311,7 +311,7 @@ NumberField* SurfaceFields::endField(std::size_t blade, std::size_t end, const N
     const auto& blades = std::get<BladesSurface>(bench_.source().surface->shape).blades;
     const Result<KeyBlade> turned = withEndHeights(blades[blade], heights);
     if (!turned) {
-      bench_.tell(Topic::other, turned.error());
+      bench_.tell(Topic::declined, turned.error());
       return refresh();
     }
     edit(tr("Change %1").arg(name),
@@ -546,7 +546,7 @@ void SurfaceFields::addBladeFields(FormColumn* column, std::size_t i, std::size_
       tr("Of the blade's plane about the upright line through its middle, seen from above against the clock; "
          "0 lies across the travel. Planes must not meet in the block"));
   for (const std::size_t end : {0u, 1u}) {
-    const QString label = end == 0 ? tr("Left end z") : tr("Right end z");
+    const QString label = end == 0 ? tr("−x end z") : tr("+x end z");
     column->add(
         label,
         endField(i, end, placeInSurface(bench_, place + "/end_heights/" + std::to_string(end)),
@@ -594,7 +594,7 @@ void SurfaceFields::changeSectionKind(std::size_t section, SectionCurve::Kind ki
   if (kind == curve.kind) return;
   Result<std::vector<Eigen::Vector2d>> points = pointsOfKind(kind, curve);
   if (!points) {
-    bench_.tell(Topic::other, points.error());
+    bench_.tell(Topic::declined, points.error());
     return refresh();
   }
   curve.points = std::move(*points);
@@ -617,14 +617,14 @@ Result<Design> SurfaceFields::changedBy(const std::function<void(DesignedSurface
 void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
   Result<Design> changed = changedBy(change);
   if (changed) return bench_.editDesign(text, [&](Design& design) { design = std::move(*changed); });
-  bench_.tell(Topic::other, changed.error());
+  bench_.tell(Topic::declined, changed.error());
   refresh();
 }
 
 void SurfaceFields::take(const QString& text, const Design& changed) {
   Result<Design> read = resolved(changed);
   if (read) return bench_.editDesign(text, [&read](Design& design) { design = std::move(*read); });
-  bench_.tell(Topic::other, read.error());
+  bench_.tell(Topic::declined, read.error());
   refresh();
 }
 
@@ -636,7 +636,7 @@ void SurfaceFields::changeKind(int kind) {
   own.rotation.setZero();
   const Result<SplineSurface> before = splineOf(own);
   if (!before) {
-    bench_.tell(Topic::other, before.error());
+    bench_.tell(Topic::declined, before.error());
     refresh();
     return;
   }
@@ -655,7 +655,7 @@ void SurfaceFields::changeKind(int kind) {
     return std::move(found->shape);
   }();
   if (!shape) {
-    bench_.tell(Topic::other, shape.error());
+    bench_.tell(Topic::declined, shape.error());
     return refresh();
   }
   replace(tr("Change kind of surface"), *shape);
@@ -667,7 +667,7 @@ void SurfaceFields::changeCounts(int columns, int rows) {
   const auto& poles = std::get<PolesSurface>(bench_.source().surface->shape);
   Result<PolesSurface> other = resampled(poles, columns, rows);
   if (other) return replace(tr("Change number of poles"), std::move(*other));
-  bench_.tell(Topic::other, other.error());
+  bench_.tell(Topic::declined, other.error());
   refresh();
 }
 

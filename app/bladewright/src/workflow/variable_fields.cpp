@@ -207,15 +207,15 @@ void VariableFields::take(const QString& text, const Design& changed, const QStr
   Result<Design> read = resolved(changed);
   if (read) return bench_.editDesign(text, [&read](Design& design) { design = std::move(*read); });
   if (refusal.isEmpty())
-    bench_.tell(Topic::other, read.error());
+    bench_.tell(Topic::declined, read.error());
   else
-    bench_.tell(Topic::other, Severity::error, refusal + ".");
+    bench_.tell(Topic::declined, Severity::error, refusal + ".");
 }
 
 void VariableFields::change(const std::string& name, double value, bool dragging) {
   Result<Design> changed = withVariables(bench_.design(), {{name, value}});
   if (!changed) {
-    bench_.tell(Topic::other, changed.error());
+    bench_.tell(Topic::declined, changed.error());
     refresh();
     return;
   }
