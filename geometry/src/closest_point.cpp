@@ -97,14 +97,23 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
       step.u *= 0.34 / longest;
       step.v *= 0.34 / longest;
     }
+    // Where a border cuts one parameter short the other one goes to where it is best there: as far as the
+    // whole step has it, it might lead away.
+    const bool shortU = !ru.reaches(uv.x() + step.u), shortV = !rv.reaches(uv.y() + step.v);
+    if (shortU && !shortV && hvv > 0) {
+      step.u = ru.clamp(uv.x() + step.u) - uv.x();
+      step.v = -(gv + huv * step.u) / hvv;
+    } else if (shortV && !shortU && huu > 0) {
+      step.v = rv.clamp(uv.y() + step.v) - uv.y();
+      step.u = -(gu + huv * step.v) / huu;
+    }
     const bool tiny = (step.u * jet.du + step.v * jet.dv).squaredNorm() < kAccuracy * kAccuracy;
     step.error = newtonError(jet, step, std::sqrt(f), E, G, convexity);
     bool moved = false, arrived = tiny;
     for (int h = 0; h < (tiny ? 1 : kHalvings); ++h) {
       const Eigen::Vector2d next(ru.clamp(uv.x() + step.u), rv.clamp(uv.y() + step.v));
       // A step that a border cuts short has not come to the foot.
-      const bool last =
-          h == 0 && step.error < kAccuracy && ru.reaches(uv.x() + step.u) && rv.reaches(uv.y() + step.v);
+      const bool last = h == 0 && step.error < kAccuracy && !shortU && !shortV;
       Jet trial;
       if (last || tiny)
         patch.first(next.x(), next.y(), trial);
@@ -181,8 +190,10 @@ FaceFoot footOnSurface(const FaceGeometry& face, const Eigen::Vector3d& p, const
 FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
                     const Eigen::Vector3d& p, const Eigen::Vector2d& start) {
   FaceFoot foot = footOnSurface(face, p, start);
-  const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
-  const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
+  // A start that is off the end by rounding may stay there.
+  const double slackU = kSameSize * (face.u1() - face.u0()), slackV = kSameSize * (face.v1() - face.v0());
+  const bool low[2] = {foot.uv.x() <= face.u0() + slackU, foot.uv.y() <= face.v0() + slackV};
+  const bool high[2] = {foot.uv.x() >= face.u1() - slackU, foot.uv.y() >= face.v1() - slackV};
   const bool wraps[2] = {face.wrapsU(), face.wrapsV()};
   if (face.natural()) {
     for (int k = 0; k < 2; ++k) {

@@ -20,7 +20,7 @@ constexpr double kSideRatio =
 constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
 constexpr double kBeside = 0.1;     // of a carrier's size: so far its grid may leave it
 constexpr double kSewnGap = 0.1;    // mm: tolerances of edges up to this are no gap
-constexpr double kSteepEnd = 0.5;   // of the radius beyond the end of a surface: so far it is bent on
+constexpr double kSteepEnd = 0.8;   // of the radius beyond the end of a surface: so far it is bent on
 constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
@@ -99,7 +99,7 @@ class FaceSampler final : public SurfaceSampler {
              (p - at.point - above(at) * at.normal).norm() <= kSideRatio * at.distance + kSlack;
     };
     const auto off = [&](const FaceGeometry& face, const FaceFoot& at) {
-      return above(at) - (below(at) ? 0 : risenBeyond(face, at, p));
+      return below(at) ? above(at) : offBeyond(face, at, p, above(at));
     };
     const FaceGeometry& ownFace = *target_->faces[std::size_t(foot.face)];
     const FaceFoot own = footOnSurface(ownFace, p, foot.uv);
@@ -127,23 +127,26 @@ class FaceSampler final : public SurfaceSampler {
   }
 
  private:
-  /// How far a surface that bends on as it does at the end of its parameters has left its tangent plane there
-  /// beside p, mm along its normal: as a parabola, and where that is steep straight on.
-  static double risenBeyond(const FaceGeometry& face, const FaceFoot& at, const Eigen::Vector3d& p) {
+  /// How far p lies from a surface that bends on as it does at the end of its parameters, as an arc from
+  /// there towards p, and where that is steep straight on; `above` the tangent plane there, mm.
+  static double offBeyond(const FaceGeometry& face, const FaceFoot& at, const Eigen::Vector3d& p,
+                          double above) {
     Jet jet;
     face.patch().second(at.uv.x(), at.uv.y(), jet);
-    const Eigen::Vector3d beside = p - at.point - (p - at.point).dot(at.normal) * at.normal;
+    const Eigen::Vector3d beside = p - at.point - above * at.normal;
     const double way = beside.norm();
     Eigen::Matrix2d metric;
     metric << jet.du.squaredNorm(), jet.du.dot(jet.dv), jet.du.dot(jet.dv), jet.dv.squaredNorm();
-    if (way == 0 || face.pole(jet) || !(std::abs(metric.determinant()) > 0)) return 0;
+    if (way == 0 || face.pole(jet) || !(std::abs(metric.determinant()) > 0)) return above;
     const Eigen::Vector2d step =
         metric.inverse() * Eigen::Vector2d(beside.dot(jet.du), beside.dot(jet.dv)) / way;
     const double bend = at.normal.dot(step.x() * step.x() * jet.duu + 2 * step.x() * step.y() * jet.duv +
                                       step.y() * step.y() * jet.dvv);
-    if (!std::isfinite(bend) || bend == 0) return 0;
-    const double bent = std::min(way, kSteepEnd / std::abs(bend));
-    return bend * bent * (way - 0.5 * bent);
+    if (!std::isfinite(bend) || bend == 0) return above;
+    const double sine = std::min(way * std::abs(bend), kSteepEnd), cosine = std::sqrt(1 - sine * sine);
+    const double bent = sine / std::abs(bend);
+    const double risen = bend * bent * bent / (1 + cosine) + bend * bent / cosine * (way - bent);
+    return cosine * (above - risen);
   }
 
   /// The place of the nearest of some nodes of a face's grid.

@@ -43,7 +43,8 @@ void append(LevelPiece& piece, LevelPiece more) {
 std::vector<PlaneCutter::Root> PlaneCutter::crossings(double level) const {
   std::vector<Root> roots;
   for (const EdgeLevels& e : edges_) {
-    if (level < e.low || level > e.high) continue;
+    // At a corner of the border one of its edges has the crossing, however both are rounded.
+    if (level < e.low - kOnPlane || level > e.high + kOnPlane) continue;
     const EdgeGeometry& edge = target_.model->edges[e.edge];
     const auto f = [&](double t, double& slope) {
       gp_Pnt p;

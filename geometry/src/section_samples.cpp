@@ -239,7 +239,8 @@ constexpr double kLooksBack = 0.05;    // of a gap: so far from it its ends' ben
 constexpr double kLeastLook = 0.5;     // mm, at least
 constexpr double kMeetsWithin = 0.01;  // of a gap: so near to its other end what is bent on comes there
 constexpr double kMeetsTurned = 0.1;   // rad, and so nearly along it
-constexpr double kGentle = 0.7;        // cosine of the angle at which either end may look across
+constexpr double kGentle = 0.3;        // cosine of the angle at which either end may look across
+constexpr double kQuarter = 0.95;      // sine of what an arc may turn by on its way
 
 /// What leads over a gap between two samples: the quintic with their places, tangents and bends, as samples
 /// between them.
@@ -276,7 +277,7 @@ bool meetOver(const std::vector<Raw>& raw, int before) {
     // An arc of that bend to where it is as far along the tangent.
     const double along = way.dot(tangent), side = tangent.x() * way.y() - tangent.y() * way.x();
     const double sine = bend * along;
-    if (!(std::abs(sine) < kGentle)) return false;
+    if (!(std::abs(sine) < kQuarter)) return false;
     const double turned = std::asin(sine);
     const double arrives = std::abs(sine) > 1e-9 ? (1 - std::cos(turned)) / bend : 0.0;
     const double off = std::abs(turnBetween(tangent, there) - turned);

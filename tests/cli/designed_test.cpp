@@ -605,6 +605,24 @@ TEST(Designed, ABladeOneEndOfWhichNearlyStandsStillIsToldWhatHelps) {
     EXPECT_NEAR(ratios[i], parts[i]["speed_ratio"].get<double>(), 1e-6) << i;
 }
 
+TEST(Blocks, OneThatNoBladeCutsLeavesTheOthersToBeRun) {
+  const Folder folder;
+  json design = json::parse(slurp(exampleIn(folder, "three-block-wall")));
+  design["grid"]["sizes"]["columns"] = {500, 800, 500};
+  const std::string file = folder.write("wide.bladewright", design.dump()), out = folder / "out";
+  const Finished run = blade({"design", file, "--out", out, "--no-handover"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("error: column-2: nothing is cut of the block: the blade of 800 mm is shorter"),
+            std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("2 blocks and 1 that cannot be cut"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(out + "/programs/column-2"));
+  for (const char* column : {"column-1", "column-3"}) {
+    const Finished alone = blade({"simulate", out + "/programs/" + column});
+    EXPECT_EQ(alone.status, 0) << column << alone.err;
+  }
+}
+
 TEST(Blocks, ThatDoNotMeetEndWithStatusOne) {
   const Folder folder;
   json design = json::parse(slurp(exampleIn(folder, "three-block-wall")));

@@ -72,6 +72,15 @@ TEST(BladeLengths, WhatServesDoesAndWhatDoesNotFails) {
   EXPECT_FALSE(keeps(lengths->trials.back().length)) << lengths->trials.back().length;
 }
 
+TEST(BladeLengths, ReachAcrossABlockThatIsWiderThanTheSection) {
+  const std::vector<Section> narrow = test::sectionsOf(
+      kStations, 10, [](int) { return test::graphCurve(100, [](double x) { return -x * x / 1500; }); });
+  const Result<BladeLengths> lengths = bladeLengths(narrow, asked(), block(), planes(), {});
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  ASSERT_TRUE(lengths->best) << lengths->trials.back().length << " is the longest tried";
+  EXPECT_GT(*lengths->best, 2 * (kHalf + 50));
+}
+
 TEST(BladeLengths, OfManyStationsAreConfirmedOnAllOfThem) {
   // More than are tried: of these thirty and the longest are, and the best on all.
   constexpr int kMany = 33;

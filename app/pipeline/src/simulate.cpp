@@ -322,6 +322,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     if (Result<void> ok = judgeAround(run, look, context); !ok) return tl::unexpected<Error>(ok.error());
     // What would help is not sought here: a length is advised by the design alone, which tries it.
     Findings findings = outcome.evaluation.findings();
+    std::erase_if(findings, [&run](const Finding& finding) {
+      return !finding.where.block.empty() && finding.where.block != run.block;
+    });
     for (Finding& finding : findings)
       std::erase_if(finding.remedies,
                     [](const Remedy& remedy) { return std::holds_alternative<OtherLength>(remedy); });

@@ -74,9 +74,9 @@ std::string Sentences::operator()(const SectionBranches& cause) const {
   const std::string rest = (same ? "" : std::to_string(cause.least) + " to ") + std::to_string(cause.most) +
                            " separate curves" + (same && !single() ? " each" : "") + leaving(cause) +
                            "; place the block so that only one of them lies in it, choose "
-                           "another direction or fewer faces (a gap between two is crossed where the "
-                           "surface of one face, or of faces that share an edge, leads across it; sewing "
-                           "with a tolerance as wide as the gap closes others)";
+                           "another direction or fewer faces (a gap between two is crossed where a surface "
+                           "leads across it, or where each side, bent on, comes to the other within 1 % of "
+                           "its width; sewing with a tolerance as wide as the gap may close others)";
   return leftOut("plane cuts the target in " + rest, "planes cut the target in " + rest);
 }
 

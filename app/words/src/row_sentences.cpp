@@ -171,7 +171,8 @@ std::string Sentences::operator()(const BentSideways& cause) const {
 }
 
 std::string Sentences::operator()(const WeightElsewhere& cause) const {
-  const auto part = [&](int axis) { return shortText(cause.up[axis], 4); };
+  // What rounding leaves of 0 is none.
+  const auto part = [&](int axis) { return shortText(std::round(1e6 * cause.up[axis]) / 1e6 + 0.0, 4); };
   return "as the block lies in the cell, up is " + fixedText(toDegrees(cause.angle), 0) +
          "° off what the weight of the blade is counted along, so that it hangs otherwise there; let up be "
          "[" +

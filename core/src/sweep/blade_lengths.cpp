@@ -23,7 +23,7 @@ constexpr double kStep = 5;         // mm: lengths are its multiples
 constexpr double kLonger = 1.025;   // each length that is tried first, of the one before
 constexpr double kCoarser = 1.05;   // and from kFine on
 constexpr int kFine = 8;
-constexpr int kFirst = 16;          // of these: the longest is 1.8 times the shortest
+constexpr int kFirst = 16;          // of these, at least: the longest is 1.8 times the shortest
 constexpr std::size_t kAtOnce = 4;  // of these; where the last ones serve no more, no longer one is tried
 constexpr std::array kMargins = {0.0, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6};
 constexpr std::size_t kNearer = 12;  // lengths at most with one smaller clearance
@@ -276,11 +276,21 @@ double shortestFor(double longest, double clearance) {
   return std::ceil((kShortest * longest + 2 * clearance) / kStep) * kStep;
 }
 
-/// The lengths that are tried first, ascending.
-std::vector<double> lengthsFrom(double shortest) {
+/// A length with which grips are clear of a block on both sides, if the blade between them is not much bent.
+double enoughFor(const Box& block, const Frame& plane, double clearance) {
+  constexpr double kBent = 1.3;
+  const double width = block.size.x() * std::abs(block.frame.x.dot(plane.x)) +
+                       block.size.y() * std::abs(block.frame.y.dot(plane.x)) +
+                       block.size.z() * std::abs(block.frame.normal.dot(plane.x));
+  return kBent * (width + 2 * clearance);
+}
+
+/// The lengths that are tried first, ascending: so many, and more as long as they are not `enough`.
+std::vector<double> lengthsFrom(double shortest, double enough) {
+  constexpr int kMost = 3 * kFirst;
   std::vector<double> lengths;
   double next = shortest;
-  for (int i = 0; i < kFirst && next <= Blade::kLongest; ++i) {
+  for (int i = 0; (i < kFirst || (i < kMost && next <= enough)) && next <= Blade::kLongest; ++i) {
     lengths.push_back(next);
     next = std::max(next + kStep, rounded((i < kFine ? kLonger : kCoarser) * next));
   }
@@ -451,7 +461,8 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
 
   bool served = false;
   const std::vector<double> ladder =
-      lengthsFrom(shortestFor(longestOf(some->sections), request.check.clearance));
+      lengthsFrom(shortestFor(longestOf(some->sections), request.check.clearance),
+                  enoughFor(block, some->sections.front().frame, request.check.clearance));
   for (std::size_t first = 0; first < ladder.size(); first += kAtOnce) {
     const std::size_t last = std::min(first + kAtOnce, ladder.size());
     const Result<bool> serves =
