@@ -534,6 +534,7 @@ TEST_F(BlockPanelTest, ABlockThatNoBladeCutsLeavesTheOthersTheirResults) {
   QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-2"));
   EXPECT_EQ(chosen(), "column-2");
   ASSERT_TRUE(settle());
+  EXPECT_EQ(window().summaryLine().labels().back()->text(), "1 error") << "though it has no numbers";
   picture("blocks-uncut-chosen");
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());

@@ -385,11 +385,13 @@ void MainWindow::summarise(const pipeline::CutSketch& sketch) {
 void MainWindow::refreshSummary() {
   const bool picture = stack_->currentWidget() == columns_;
   const auto result = picture ? bench_.sweep() : std::nullopt;
+  // What the numbers hold or break is not all that may be wrong.
+  const SummaryLine::Part errors{errors_ == 1 ? tr("1 error") : tr("%1 errors").arg(errors_), 5, true};
   if (!result) {
-    summary_->setParts(
-        onStartPage() ? std::vector<SummaryLine::Part>() : std::vector<SummaryLine::Part>{{tr("Unit mm")}},
-        false);
-    return;
+    std::vector<SummaryLine::Part> parts;
+    if (!onStartPage()) parts.push_back({tr("Unit mm")});
+    if (picture && errors_ > 0) parts.push_back(errors);
+    return summary_->setParts(parts, false);
   }
   if (const pipeline::CutSketch* sketch = bench_.sketchedCut()) return summarise(*sketch);
   const SweepSummary& s = result->analysis.summary;
@@ -414,8 +416,7 @@ void MainWindow::refreshSummary() {
       {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
       {speeds, 1, broken.speed},
       {bend, 2, broken.radius}};
-  // What the numbers hold or break is not all that may be wrong.
-  if (errors_ > 0) parts.push_back({errors_ == 1 ? tr("1 error") : tr("%1 errors").arg(errors_), 5, true});
+  if (errors_ > 0) parts.push_back(errors);
   summary_->setParts(parts, staleShown_);
 }
 
