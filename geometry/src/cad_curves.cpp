@@ -81,12 +81,14 @@ Result<CadCurves> unpacked(std::string_view bytes, const std::string& name) {
       return broken();
     curve.number = std::stoi(text);
     curve.degree = std::stoi(text.substr(text.find(' ')));
-    curve.knots.resize(knots.size() / sizeof(double));
-    std::memcpy(curve.knots.data(), knots.data(), knots.size());
-    curve.poles.resize(poles.size() / sizeof(Eigen::Vector3d));
-    std::memcpy(static_cast<void*>(curve.poles.data()), poles.data(), poles.size());
-    curve.weights.resize(weights.size() / sizeof(double));
-    std::memcpy(curve.weights.data(), weights.data(), weights.size());
+    const auto take = [](const std::string& from, auto& all) {
+      constexpr std::size_t kEach = sizeof(all.front());
+      all.resize(from.size() / kEach);
+      if (!all.empty()) std::memcpy(static_cast<void*>(all.data()), from.data(), all.size() * kEach);
+    };
+    take(knots, curve.knots);
+    take(poles, curve.poles);
+    take(weights, curve.weights);
   }
   return read;
 }
