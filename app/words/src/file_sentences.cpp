@@ -11,11 +11,11 @@
 
 namespace bw::words {
 
-namespace {
-
 std::string areaText(double mm2) {
   return mm2 >= 1e4 ? shortText(mm2 * 1e-6) + " m²" : shortText(mm2) + " mm²";
 }
+
+namespace {
 
 /// "face 3 (\"Roof\")".
 std::string faceText(const FaceName& face) {

@@ -21,8 +21,6 @@ const std::string kNoneServes = "take another blade or direction, or cut in part
 
 std::string mm(double value, int digits = 3) { return shortText(value, digits) + " mm"; }
 
-std::string mm2(double value) { return shortText(value, 3) + " mm²"; }
-
 /// What was found to serve besides another length: another clearance, another margin. Empty if nothing was.
 std::string alsoServes(const Finding& finding) {
   std::string text;
@@ -409,9 +407,8 @@ std::string Sentences::operator()(const Uncovered& cause) const {
 }
 
 std::string Sentences::operator()(const OutsideBlocks& cause) const {
-  const std::string part = shortText(100 * cause.share, 3) + " % of the surface (" +
-                           (cause.area < 1e4 ? mm2(cause.area) : shortText(1e-6 * cause.area, 3) + " m²") +
-                           ") ";
+  const std::string part =
+      shortText(100 * cause.share, 3) + " % of the surface (" + areaText(cause.area) + ") ";
   return part + (cause.several ? "lies in none of the blocks" : "lies outside of the block") + ", up to " +
          mm(cause.distance) + " from " + (cause.several ? "them" : "it") +
          ", and is not cut: what is told of the surface is of the rest; " +

@@ -111,6 +111,9 @@ std::string rangeText(const StationRange& range);
 
 /// What is advised: "a blade that bends to 96 mm, such as …".
 std::string bendingBladeText(const BendingBlade& blade);
+/// "0.32 m²", or "5.8 mm²" of what is less than a square decimetre.
+std::string areaText(double mm2);
+
 inline constexpr const char* kInParts = "cut it in parts, each with a narrower block of its own";
 
 }  // namespace bw::words

@@ -28,8 +28,8 @@ constexpr double kSameHeight = 0.01;
 /// Points of a surface lie closer together than this part of the diagonal of a block.
 constexpr double kSamples = 60;
 
-/// What of a triangle, given in the coordinates of a box, lies in that along its first `axes` of three; of no
-/// use where it has fewer than three corners.
+/// What of a triangle, given in the coordinates of a box, lies in that along its first `axes` of three; empty
+/// where nothing does.
 std::vector<Vector3d> partInBox(const std::array<Vector3d, 3>& triangle, const Vector3d& size, int axes) {
   std::vector<Vector3d> part(triangle.begin(), triangle.end()), rest;
   for (int axis = 0; axis < axes; ++axis)
