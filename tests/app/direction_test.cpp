@@ -103,6 +103,36 @@ TEST(DirectionSearch, TakesNoWayAlongWhichTheBladeSnaps) {
   EXPECT_EQ(std::ranges::count(lost, Rest::lost), int(lost.size()));
 }
 
+TEST(DirectionSearch, AGapWithNothingInItCountsForNoWay) {
+  // Two ramps that fall towards a gap of 200 mm, across which the sections go on: of 17 planes across x five
+  // meet neither of them.
+  const auto ramp = [](double from) {
+    SurfaceGrid grid;
+    grid.rows = grid.columns = 25;
+    std::vector<double> v;
+    for (int r = 0; r < grid.rows; ++r) {
+      v.push_back(double(r) / (grid.rows - 1));
+      for (int c = 0; c < grid.columns; ++c) {
+        const double x = from + 200.0 * c / (grid.columns - 1), y = 400 * v.back(), u = std::abs(x - 300);
+        grid.points.emplace_back(x, y, 0.8 * u * (u / 1200 - 1) + 10 * std::sin(y / 100));
+      }
+    }
+    return *geometry::loft(grid, v);
+  };
+  const SplineSurface left = ramp(0), right = ramp(400);
+  const std::vector<geometry::NamedSurface> both = {{"left", &left}, {"right", &right}};
+  Design design;
+  design.source().path = "test.step";
+  design.source().bytes = geometry::stepText(both, "ramps").value();
+  design.cut().face.kind = FaceChoice::Kind::all;
+  design.cut().sections.stations = 20;
+  const Evaluation found = evaluated(design);
+  EXPECT_NEAR(std::abs(found.cut().setup->planes.direction().x()), 1, 1e-9);
+  ASSERT_TRUE(found.cut().directions.value);
+  const DirectionSearch& search = *found.cut().directions.value;
+  EXPECT_EQ(search.trials[search.chosen].unusable, 0);
+}
+
 TEST(DirectionSearch, LeavesTheExamplesAsTheyAreButForTheTorus) {
   for (const geometry::Example& example : geometry::exampleList()) {
     Design design = exampleDesign(example.name).value();

@@ -22,10 +22,16 @@ constexpr int kSparedAtAnEnd = 1;
 constexpr double kSmallerDeviation = 0.8;
 constexpr double kSmallerAngle = 10 * kDegree;
 
-/// Stations left out inside the row, or beyond those spared at its ends.
-int leftOut(const std::vector<BladePose>& stations) {
-  const int before = stations.front().index, after = kStations - 1 - stations.back().index;
-  const int inside = kStations - before - after - int(stations.size());
+/// Stations left out inside the row, or beyond those spared at its ends. What lies in a gap, where there is
+/// nothing to be cut, has no section.
+int leftOut(const std::vector<Section>& sections, const std::vector<BladePose>& stations) {
+  int before = 0, after = 0, inside = -int(stations.size());
+  for (const Section& section : sections) {
+    before += section.index < stations.front().index;
+    after += section.index > stations.back().index;
+    ++inside;
+  }
+  inside -= before + after;
   return inside + std::max(0, before - kSparedAtAnEnd) + std::max(0, after - kSparedAtAnEnd);
 }
 
@@ -62,7 +68,7 @@ Tried tried(const geometry::Target& target, const RowRequest& request, const geo
   const Result<SweepCheck> check =
       checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
   if (!check) return failed(check.error());
-  trial.unusable = leftOut(sweep->poses);
+  trial.unusable = leftOut(*sections, sweep->poses);
   for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
     trial.unusable += isUnusable(sweep->poses[i], sweep->fits[i], check->stations[i], request.fit.blade);
     trial.deviationMax = std::max(trial.deviationMax, sweep->fits[i].fit.hausdorff);
@@ -91,7 +97,7 @@ void judge(Tried& one, const RowRequest& request, const RunContext& context) {
   if (!row) return failed(row.error());
   const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
   if (!check) return failed(check.error());
-  trial.unusable = leftOut(row->poses);
+  trial.unusable = leftOut(one.sections, row->poses);
   trial.angleMax = 0;
   for (std::size_t i = 0; i < row->poses.size(); ++i) {
     const StationCheck& station = check->stations[i];

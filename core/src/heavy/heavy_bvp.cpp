@@ -156,7 +156,11 @@ Result<Weighed> weigh(const Unit& unit, double turning, Shape shape) {
   Weighed result{shape};
   double share = 0;
   for (int falls = 0; falls < kMostFalls; ++falls) {
-    const std::optional<heavy::Followed> followed = heavy::follow({whole.at(share), whole.to}, result.shape);
+    const heavy::Way left{whole.at(share), whole.to};
+    auto rests = std::make_shared<const Equations>(modesOf(result.shape.count()), left.from, result.shape);
+    std::optional<heavy::Followed> followed;
+    if (heavy::isStable(*rests)) followed = heavy::atOnce(left, result.shape, std::move(rests));
+    if (!followed) followed = heavy::follow(left, result.shape);
     if (!followed) return lost("while its weight comes on");
     result.shape = followed->end.shape;
     if (!followed->snapped) return result;
@@ -595,7 +599,7 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, std::i
                  unit->hold(turning)};
   way.to.startAngle = startAngle;
   Shape before{numbers_.coefficients, numbers_.endForce * squared};
-  std::optional<heavy::Followed> followed = heavy::atOnce(way, before);
+  std::optional<heavy::Followed> followed = heavy::atOnce(way, before, rests_);
   std::optional<Shape> there;
   ClampedBranch::Move move;
   Hold hold;
@@ -639,32 +643,34 @@ HeavyMarginSlope inLengths(const heavy::MarginSlope& slope, double length) {
 
 struct HeavySlopes::Work {
   double length;
-  Equations equations;
+  std::shared_ptr<const Equations> equations;
   std::optional<heavy::Changes> changes = std::nullopt;
 
   const heavy::Changes& change() {
-    if (!changes) changes = heavy::changesOf(equations);
+    if (!changes) changes = heavy::changesOf(*equations);
     return *changes;
   }
 };
 
 HeavySlopes::HeavySlopes(const HeavyBlade& blade)
-    : work_(std::make_unique<Work>(Work{blade.length(), equationsOf(blade)})) {}
-HeavySlopes::HeavySlopes(const HeavyBranch& branch)
     : work_(std::make_unique<Work>(
-          Work{branch.numbers_.length, branch.rests_ ? *branch.rests_ : equationsOf(branch.blade())})) {}
+          Work{blade.length(), std::make_shared<const Equations>(equationsOf(blade))})) {}
+HeavySlopes::HeavySlopes(const HeavyBranch& branch)
+    : work_(std::make_unique<Work>(Work{
+          branch.numbers_.length,
+          branch.rests_ ? branch.rests_ : std::make_shared<const Equations>(equationsOf(branch.blade()))})) {}
 HeavySlopes::HeavySlopes(HeavySlopes&& other) noexcept = default;
 HeavySlopes& HeavySlopes::operator=(HeavySlopes&& other) noexcept = default;
 HeavySlopes::~HeavySlopes() = default;
 
 HeavyMarginSlope HeavySlopes::margin(double below) const {
-  return inLengths(heavy::marginSlopeOf(work_->equations, below,
+  return inLengths(heavy::marginSlopeOf(*work_->equations, below,
                                         [this]() -> const heavy::Changes& { return work_->change(); }),
                    work_->length);
 }
 
 HeavyMarginSlope HeavySlopes::outOfPlane(double below, double torsionRatio) const {
-  return inLengths(heavy::outOfPlaneSlopeOf(work_->equations, torsionRatio, below,
+  return inLengths(heavy::outOfPlaneSlopeOf(*work_->equations, torsionRatio, below,
                                             [this]() -> const heavy::Changes& { return work_->change(); }),
                    work_->length);
 }
@@ -683,7 +689,7 @@ Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<c
 
 Result<HeavyDerivatives> HeavySlopes::at(std::span<const double> s) const {
   const double length = work_->length;
-  const Equations& equations = work_->equations;
+  const Equations& equations = *work_->equations;
   const Index places = Index(s.size());
   const Eigen::MatrixXd moves =
       heavy::movesOf(equations, work_->change(), Eigen::ArrayXd::Map(s.data(), places) / length);

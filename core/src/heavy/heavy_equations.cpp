@@ -77,6 +77,11 @@ MatrixXd bordered(const MatrixXd& hessian, const Eigen::Matrix<double, Eigen::Dy
 
 MatrixXd Equations::jacobian() const { return bordered(hessian(), closure()); }
 
+const Eigen::PartialPivLU<MatrixXd>& Equations::factors() const {
+  if (!factors_) factors_.emplace(jacobian());
+  return *factors_;
+}
+
 VectorXd Equations::along(const Hold& change) const {
   const ArrayXd turned = change.startAngle + change.turning * modes_->nodes.array();
   const ArrayXd left = 1 - modes_->nodes.array();
@@ -107,28 +112,36 @@ bool fallsOddly(const Eigen::PartialPivLU<MatrixXd>& factors) {
 
 }  // namespace
 
-std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen) {
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen,
+                            const Equations* from) {
   constexpr double kLost = 1e3;       // no sensible coefficient is as large
   constexpr double kStillGood = 0.1;  // of the step before: the factors serve once more
   const Modes& modes = modesOf(shape.count());
-  std::optional<Eigen::PartialPivLU<MatrixXd>> factors;
+  std::optional<Eigen::PartialPivLU<MatrixXd>> own;
+  const Eigen::PartialPivLU<MatrixXd>* factors = nullptr;
   double before = 0;
   if (seen) *seen = {};
   for (int i = 0; i <= iterations; ++i) {
-    const Equations equations(modes, hold, shape);
-    const VectorXd residual = equations.residual();
-    // Rounding grows with the force.
-    const double size = 1 + shape.force.norm() + hold.load.norm();
-    if (residual.lpNorm<Eigen::Infinity>() < kAtRest * size) {
-      if (seen && factors) seen->fallsOddly = fallsOddly(*factors);
-      return shape;
-    }
-    if (i == iterations || detail::workExhausted()) break;
     VectorXd step;
-    if (factors) step = factors->solve(residual);
-    if (!factors || !(step.head(shape.count()).norm() < kStillGood * before)) {
-      factors = equations.jacobian().partialPivLu();
-      step = factors->solve(residual);
+    if (i == 0 && from) {
+      factors = &from->factors();
+      step = factors->solve(from->along(hold - from->hold()));
+    } else {
+      const Equations equations(modes, hold, shape);
+      const VectorXd residual = equations.residual();
+      // Rounding grows with the force.
+      const double size = 1 + shape.force.norm() + hold.load.norm();
+      if (residual.lpNorm<Eigen::Infinity>() < kAtRest * size) {
+        if (seen && factors) seen->fallsOddly = fallsOddly(*factors);
+        return shape;
+      }
+      if (i == iterations || detail::workExhausted()) break;
+      if (factors) step = factors->solve(residual);
+      if (!factors || !(step.head(shape.count()).norm() < kStillGood * before)) {
+        own = equations.jacobian().partialPivLu();
+        factors = &*own;
+        step = factors->solve(residual);
+      }
     }
     const double length = step.head(shape.count()).norm();
     if (!step.allFinite() || length > kLost) break;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <optional>
 
@@ -55,6 +56,8 @@ class Equations {
   Eigen::VectorXd residual() const;
   /// Its derivative by (c, force): symmetric.
   Eigen::MatrixXd jacobian() const;
+  /// Its factors, found once.
+  const Eigen::PartialPivLU<Eigen::MatrixXd>& factors() const;
   /// Its derivative along a change of the hold.
   Eigen::VectorXd along(const Hold& change) const;
   /// The second derivative of the energy by c, found once, and the gradients of ∫ t.
@@ -76,7 +79,9 @@ class Equations {
   Hold hold_;
   Shape shape_;
   Sampled sampled_;
-  mutable std::optional<Eigen::MatrixXd> hessian_ = std::nullopt;  // of one thread, as all of it
+  // Of one thread, as all of it.
+  mutable std::optional<Eigen::MatrixXd> hessian_ = std::nullopt;
+  mutable std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_ = std::nullopt;
 };
 
 /// Those that a blade at rest obeys, with its length and stiffness as units.
@@ -101,7 +106,9 @@ struct Settling {
 };
 /// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`, and with
 /// `seen` also where its steps do not shrink as fast as to stay on the branch of its start (kOneBranch).
-std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen = nullptr);
+/// `from`: the equations that the start obeys, in as many modes, which tell the first step, or null.
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, Settling* seen = nullptr,
+                            const Equations* from = nullptr);
 
 /// The shape in the next number of modes. Empty at kMostModes, or if Newton's method loses it.
 std::optional<Shape> finer(const Hold& hold, Shape shape);

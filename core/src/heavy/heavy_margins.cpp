@@ -182,7 +182,7 @@ Changes changesOf(const Equations& equations) {
     right.col(k) = -equations.along(changes[k]);
     turned.col(k) = turnedWith(k, modes.nodes.array());
   }
-  const MatrixXd moved = equations.jacobian().partialPivLu().solve(right);
+  const MatrixXd moved = equations.factors().solve(right);
   turned.noalias() += modes.values.transpose() * moved.topRows(n);
   return {moved.topRows(n), moved.bottomRows<2>(), std::move(turned)};
 }

@@ -151,14 +151,26 @@ bool isStable(const Way& way, const WayPoint& point) {
 
 }  // namespace
 
-std::optional<Followed> atOnce(const Way& way, const Shape& start) {
+std::optional<Followed> atOnce(const Way& way, const Shape& start, std::shared_ptr<const Equations> rests) {
   constexpr int kSteps = 8;
-  Settling seen;
-  std::optional<Shape> there = settle(way.to, start, kSteps, &seen);
-  if (!there) return {};
-  auto rests = std::make_shared<const Equations>(modesOf(there->count()), way.to, *there);
-  if (!heavy::isStable(*rests)) return {};
-  return Followed{{1, std::move(*there)}, false, std::move(rests)};
+  constexpr double kLeastPart = 1.0 / 8;  // of the way: shorter steps are better taken along the path
+  Shape shape = start;
+  double reached = 0, part = 1;
+  while (reached < 1) {
+    const double aim = std::min(1.0, reached + part);
+    Settling seen;
+    std::optional<Shape> there = settle(way.at(aim), shape, kSteps, &seen, rests.get());
+    if (!there) {
+      if ((part /= 2) < kLeastPart) return {};
+      continue;
+    }
+    rests = std::make_shared<const Equations>(modesOf(there->count()), way.at(aim), *there);
+    if (!heavy::isStable(*rests)) return {};
+    rests->factors();  // here, where no other thread has them
+    shape = std::move(*there);
+    reached = aim;
+  }
+  return Followed{{1, std::move(shape)}, false, std::move(rests)};
 }
 
 std::optional<Followed> follow(const Way& way, const Shape& start) {

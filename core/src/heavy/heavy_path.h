@@ -58,12 +58,14 @@ class Path {
 struct Followed {
   WayPoint end;                                      ///< at part 1, or the last stable one
   bool snapped = false;                              ///< the blade is stable up to there and not beyond
-  std::shared_ptr<const Equations> rests = nullptr;  ///< there, where they were asked for its stability
+  std::shared_ptr<const Equations> rests = nullptr;  ///< there, factors found; null where not asked for
 };
 
 /// The end of the way of a blade at rest where Newton's steps shrink so fast that all of it lies on one
-/// branch, and the blade is stable there, too. Empty elsewhere, which tells nothing.
-std::optional<Followed> atOnce(const Way& way, const Shape& start);
+/// branch, and the blade is stable there, too. Empty elsewhere, which tells nothing. `rests`: the equations
+/// that it obeys at the start, or null; of one thread unless their factors are found.
+std::optional<Followed> atOnce(const Way& way, const Shape& start,
+                               std::shared_ptr<const Equations> rests = nullptr);
 
 /// Follows a stable blade along the way as long as it is stable. A blade that is not stable to begin with
 /// snaps at once. Empty if the path is lost or takes too long, which is not silent: nothing is said then.

@@ -103,13 +103,17 @@ bool settled(const sweep::Row& row, Standing stations, const Sweep& before, Swee
 Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vector<sweep::Stretch>& weak,
               const RunContext& context) {
   Sweep next = before;
+  std::vector<std::size_t> pushed;
   for (const sweep::Stretch& at : weak)
-    for (std::size_t i = at.first; i <= at.last; ++i) {
-      StationFit& fit = next.fits[i];
-      // Where the stations hold and the blade dips between them, these are to stand higher.
-      fit.push = fit.push == 0 ? before.request.barrier : fit.push * higherAt(before, certainty, i);
-      fit.passes = lowOf(before, i, certainty.stations[i]);
-    }
+    for (std::size_t i = at.first; i <= at.last; ++i) pushed.push_back(i);
+  const Result<void> ok = parallelFor(context, int(pushed.size()), [&](int k) {
+    const std::size_t i = pushed[std::size_t(k)];
+    StationFit& fit = next.fits[i];
+    // Where the stations hold and the blade dips between them, these are to stand higher.
+    fit.push = fit.push == 0 ? before.request.barrier : fit.push * higherAt(before, certainty, i);
+    fit.passes = lowOf(before, i, certainty.stations[i]);
+  });
+  if (!ok) return before;
   const sweep::Row row(next, context);
   std::optional<Standing> standing = standingIn(row);
   return standing && settled(row, std::move(*standing), before, next) ? next : before;
@@ -139,8 +143,15 @@ std::optional<Sweep> relieved(const Sweep& before, const std::vector<sweep::Stre
 
 /// True if a blade keeps the margins that are asked for.
 bool isFirm(const Sweep& row, std::size_t i) {
-  const HeavyMargins margins = sweep::marginsAt(row, row.poses[i]);
-  return std::min(margins.inPlane, margins.outOfPlane) >= row.request.margin;
+  const double asked = row.request.margin;
+  const BladePose& pose = row.poses[i];
+  if (pose.heavy) {  // told by factorisations, where their values take eigenvalues
+    const HeavySlopes slopes(*pose.heavy);
+    return slopes.margin(asked).margin >= asked &&
+           (row.request.blade.section == Blade::Section::flat || slopes.outOfPlane(asked).margin >= asked);
+  }
+  const HeavyMargins margins = sweep::marginsAt(row, pose);
+  return std::min(margins.inPlane, margins.outOfPlane) >= asked;
 }
 
 }  // namespace

@@ -175,6 +175,22 @@ class BesideCost : public ceres::SizedCostFunction<6, 6> {
   Smoothness smoothness_;
 };
 
+/// Ends with a step that goes as far as it will and brings next to nothing. Ceres itself would look at one
+/// more, and not take it. In a bent valley, where steps are shortened, many bring as little.
+class Enough : public ceres::IterationCallback {
+ public:
+  explicit Enough(double radius) : radius_(radius) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    constexpr double kLittle = 2e-3;  // of the sum of squares
+    const bool little = step.iteration > 0 && step.step_is_successful &&
+                        step.trust_region_radius >= radius_ && step.cost_change <= kLittle * step.cost;
+    return little ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  double radius_;  ///< to which steps are free at first
+};
+
 }  // namespace
 
 RowProblem::RowProblem(const Row& row, std::vector<Station*> stations, const Station* beside)
@@ -243,13 +259,15 @@ void RowProblem::solve() {
 
 void RowProblem::settle() {
   constexpr int kIterations = 40;
-  constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
+  constexpr double kSettled = 1e-4;  // of the sum of squares: a step that brings less is not taken
   if (!look()) return;
   ceres::Solver::Options options;
   options.linear_solver_type = stations_.size() > 1 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = options.max_num_consecutive_invalid_steps = kIterations;
   options.function_tolerance = kSettled;
+  Enough enough(options.initial_trust_region_radius);
+  options.callbacks.push_back(&enough);
   ceres::Solver::Summary summary;
   solving_ = first_ = true;
   ceres::Solve(options, &problem_, &summary);

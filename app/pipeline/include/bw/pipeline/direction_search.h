@@ -20,8 +20,8 @@ struct DirectionTrial {
   std::string name;           ///< where it comes from: "longer side of the block", …
   Eigen::Vector3d direction;  ///< unit, file's frame
   int stations = 0;           ///< that were tried
-  int unusable = 0;  ///< of these: left out inside the row, overbent, without a fit, or with a grip in the
-                     ///< block; all where there is no sweep at all
+  int unusable = 0;  ///< of these: left out inside the row where there is something to be cut, overbent,
+                     ///< without a fit, or with a grip in the block; all where there is no sweep at all
   double deviationMax = 0;   ///< mm, of the fits from their sections
   double angleMax = 0;       ///< rad, largest cutting angle
   int unrested = 0;          ///< at which a blade of the length given does not rest as it hangs
