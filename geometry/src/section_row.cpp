@@ -379,7 +379,7 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
     if (!all && open.size() == parts.size()) all = joined(cutter, open, frame);
     if (!all) {
       SectionBranches several{int(parts.size()), int(parts.size())};
-      tellHeights(cutter.normal(), own, several);
+      tellHeights(cutter.normal(), own, frame, several);
       tell(Severity::warning, several, place);
       return outcome;
     }
@@ -475,7 +475,8 @@ std::optional<JoinedParts> Sectioner::overTop(const Eigen::Vector3d& normal, dou
   return found;
 }
 
-void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const {
+void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, const Frame& frame,
+                            SectionBranches& several) const {
   const std::shared_ptr<const PlaneCutter> tall = tallCutter(normal);
   const PlaneCutter& cutter = *tall;
   const PlaneCutter::Cut cut = cutter.cut(level);
@@ -502,6 +503,30 @@ void Sectioner::tellHeights(const Eigen::Vector3d& normal, double level, Section
     }
     several.above = std::max(several.above, above);
     several.below = std::max(several.below, below);
+  }
+  if (several.above > 0 || several.below > 0) return;
+  // Or sheets end beyond it, beside a gap over which they would be joined.
+  BlockWindow open = block_;
+  const double reach = (target_.bounds.max - target_.bounds.min).norm() + block_.box.size.norm();
+  open.box.frame.origin -= reach * open.box.frame.normal;
+  open.box.size.z() += 2 * reach;
+  std::vector<std::vector<SectionSample>> sheets;
+  for (const SectionBranch& branch : chainPieces(cut.pieces)) {
+    bool clipped = false;
+    auto pieces = geometry::clipped(
+        cutter, sampleBranch(cutter, branch, level, divisionOf(branch)), branch.closed, level,
+        [&open](const LevelNode& node) { return open.holds(node.p); }, clipped);
+    std::erase_if(pieces, [](const auto& piece) { return lengthOf(piece) < kSpeck; });
+    if (pieces.empty()) continue;
+    if (branch.closed || pieces.size() > 1) return;
+    sheets.push_back(std::move(pieces.front()));
+  }
+  const std::optional<JoinedParts> all = sheets.size() > 1 ? joined(cutter, sheets, frame) : std::nullopt;
+  if (!all) return;
+  for (const SectionSample& sample : all->samples) {
+    const double height = block_.box.frame.toLocal(sample.node.p).z();
+    several.above = std::max(several.above, height - block_.box.size.z());
+    several.below = std::max(several.below, -height);
   }
 }
 

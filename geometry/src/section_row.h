@@ -75,8 +75,10 @@ class Sectioner {
   void extend(SectionOutcome& outcome, double low, double high) const;
 
  private:
-  /// How far curves that come into the block several times leave it above or below in between.
-  void tellHeights(const Eigen::Vector3d& normal, double level, SectionBranches& several) const;
+  /// How far curves that come into the block several times leave it above or below in between, or sheets do
+  /// that would be joined over a gap there. `frame` of the plane.
+  void tellHeights(const Eigen::Vector3d& normal, double level, const Frame& frame,
+                   SectionBranches& several) const;
   /// The section where it is one curve that leaves the block through its top over a hole of the target and
   /// comes back, rises over it by no more than a tenth of the shorter side of its base, and is no longer
   /// above it than in it: the blade passes over the foam there. Empty where it is not so.

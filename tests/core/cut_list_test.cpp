@@ -64,7 +64,38 @@ TEST(CutList, UnderAGridEachBlockGetsOne) {
   EXPECT_EQ(another->id, "cut2-column-2");
   EXPECT_TRUE(std::ranges::find(another->design.cuts, another->id, &Cut::id) != another->design.cuts.end());
   EXPECT_EQ(*parseDesign(designToJson(another->design)), another->design) << "a file tells it by the grid";
-  EXPECT_FALSE(mayGo(another->design, another->design.cuts[0]));
+  // With it go those of the other blocks, and their surface.
+  const auto made = std::ranges::find(another->design.cuts, another->id, &Cut::id);
+  ASSERT_TRUE(mayGo(another->design, *made));
+  EXPECT_EQ(withoutCut(another->design, *made), design);
+  EXPECT_FALSE(mayGo(design, design.cuts[1]));
+}
+
+TEST(CutList, UnderAGridExpressionsStayWithTheirCuts) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "variables": [{"name": "n", "value": 7, "min": 2, "max": 40}],
+    "sources": [{"surface": {"type": "formula", "formula": "100"}}],
+    "grid": {"columns": 2}, "cuts": [{"id": "cut", "stations": "=n"}, {"id": "more", "stations": "=n+1"},
+      {"id": "cut-column-2", "block": "column-2", "stations": "=n+2"}]})");
+  ASSERT_EQ(design.bindings.size(), 3u);
+  const auto stations = [](const Design& of, const std::string& id) {
+    const Result<Design> changed = withVariables(of, {{"n", 20}});
+    EXPECT_TRUE(changed);
+    return std::ranges::find(changed->cuts, id, &Cut::id)->sections.stations;
+  };
+  const Result<AnotherCut> another = withAnotherCut(design, design.cuts[0], placed());
+  ASSERT_TRUE(another);
+  EXPECT_EQ(stations(another->design, "cut-column-1"), 20);
+  EXPECT_EQ(stations(another->design, "more-column-1"), 21);
+  EXPECT_EQ(stations(another->design, "cut-column-2"), 22);
+  const Design fewer =
+      withoutCut(design, *std::ranges::find(design.cuts, std::string("more-column-2"), &Cut::id));
+  EXPECT_EQ(fewer.cuts.size(), 2u);
+  EXPECT_EQ(fewer.bindings.size(), 2u);
+  EXPECT_EQ(stations(fewer, "cut-column-1"), 20);
+  EXPECT_EQ(stations(fewer, "cut-column-2"), 22);
+  // A block that would have none keeps its own.
+  EXPECT_FALSE(mayGo(fewer, fewer.cuts[0]));
 }
 
 TEST(CutList, WithoutACutWhatStandsBehindKeepsItsExpressions) {

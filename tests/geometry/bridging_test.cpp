@@ -287,6 +287,21 @@ TEST(Bridging, OverASlotThatPartsTheSheet) {
           EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << i;
       }
     }
+    // A block that ends below both rims is told how much higher it has to be.
+    CutSettings low;
+    low.stations = 15;
+    low.direction = Eigen::Vector3d::UnitY();
+    low.block = BlockPlacement{{-300, -350, -150}, {600, 700, 147}, {0, 0, 0}};
+    const Target target = targetOf(parted, allFaces());
+    Findings findings;
+    const auto setup = resolveSetup(target, low, findings);
+    ASSERT_TRUE(setup);
+    EXPECT_FALSE(cutSections(target, *setup, low, {}, findings));
+    const auto several = std::ranges::find_if(
+        findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); });
+    ASSERT_NE(several, findings.end());
+    EXPECT_NEAR(std::get<SectionBranches>(several->cause).above, 3, 0.3);
+    EXPECT_EQ(std::get<SectionBranches>(several->cause).below, 0);
   }
 }
 

@@ -164,10 +164,11 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Time with entry and exit, too", fixedText(all.runTime, 0) + " s"});
 }
 
-const char* extensionText(Extension extend) {
-  switch (extend) {
+/// What holds the grips of blades.
+std::string holdText(const FitRequest& fit) {
+  switch (fit.extend) {
     case Extension::none:
-      return "the section alone: the blade that lies nearest to it, continued";
+      break;
     case Extension::surface:
       return "the surface beyond the block as far as it goes, then straight on";
     case Extension::straight:
@@ -175,7 +176,27 @@ const char* extensionText(Extension extend) {
     case Extension::curvature:
       return "the circles that bend as the section does at its ends";
   }
-  return "";
+  std::vector<std::string> kept;
+  if (fit.fitEndpoints) kept.push_back("ends");
+  if (fit.fitTangents) kept.push_back("tangents");
+  if (fit.fitLength != FitOptions::Length::free) kept.push_back("length");
+  const std::string nearest = "the blade that lies nearest to it, continued";
+  if (kept.empty()) return "the section alone: " + nearest;
+  std::string text = kept.front();
+  for (std::size_t i = 1; i < kept.size(); ++i) text += (i + 1 < kept.size() ? ", " : " and ") + kept[i];
+  return "the " + text + " of the section, and else " + nearest;
+}
+
+/// A row for each way in which blades are held.
+void holds(Page& page, const Evaluation& e) {
+  std::map<std::string, std::string> ways;
+  for (const Strip& strip : stripsOf(e)) {
+    std::string& cuts = ways[holdText(strip.cut->sweep.value->request)];
+    const std::string title = stripTitle(e, strip);  // "column-1: "
+    if (!title.empty()) cuts += (cuts.empty() ? "" : ", ") + title.substr(0, title.size() - 2);
+  }
+  for (const auto& [way, cuts] : ways)
+    page.row({(ways.size() > 1 ? cuts + ": " : "") + "What holds the grips", way});
 }
 
 void parameters(Page& page, const Evaluation& e) {
@@ -258,7 +279,7 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Kerf", mm(design.process.kerf) + " (programs carry the middle of the blade)"});
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Floor: the blade stays above the face that its block lies on by", mm(design.process.floor)});
-  page.row({"What holds the grips", extensionText(design.process.extend)});
+  holds(page, e);
   page.row({"Weight of the blade",
             design.process.weight ? "counted, up is " + direction(design.process.up) : "left out"});
   page.row({"A grip may be off by",

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
+
+#include "design/grid_cuts.h"
 
 namespace bw {
 
@@ -30,9 +33,10 @@ DesignedSurface fallingOver(const BlockPlacement& block) {
   return {poles, block.origin, block.rotation};
 }
 
-/// Expressions of a list from which one part was taken.
-std::map<std::string, BoundNumber> without(const std::map<std::string, BoundNumber>& bindings,
-                                           const std::string& list, std::size_t taken) {
+/// Expressions of the sources from which one was taken.
+std::map<std::string, BoundNumber> withoutSource(const std::map<std::string, BoundNumber>& bindings,
+                                                 std::size_t taken) {
+  const std::string list = "/sources/";
   std::map<std::string, BoundNumber> kept;
   for (const auto& [pointer, bound] : bindings) {
     std::size_t index = 0;
@@ -47,6 +51,9 @@ std::map<std::string, BoundNumber> without(const std::map<std::string, BoundNumb
   }
   return kept;
 }
+
+/// The cuts in the order in which their expressions are told.
+std::vector<Cut> listed(const Design& design) { return detail::cutsUnderGrid(design).value_or(design.cuts); }
 
 }  // namespace
 
@@ -94,24 +101,42 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
                            [&](const Cut& one) { return one.block == block.id; });
       changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
     }
+    detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
     return another;
   }
 }
 
+namespace {
+
+/// The cuts that go together: under a grid that of each block.
+std::vector<Cut> together(const Design& design, const Cut& cut) {
+  const std::string ofBlock = "-" + cut.block;
+  if (!design.grid || !cut.id.ends_with(ofBlock)) return {cut};
+  const std::string stem = cut.id.substr(0, cut.id.size() - ofBlock.size());
+  std::vector<Cut> all;
+  std::ranges::copy_if(design.cuts, std::back_inserter(all),
+                       [&](const Cut& one) { return one.id == stem + "-" + one.block; });
+  return all;
+}
+
+}  // namespace
+
 bool mayGo(const Design& design, const Cut& cut) {
-  return !design.grid && std::ranges::count(design.cuts, cut.block, &Cut::block) > 1;
+  std::map<std::string, int> counts;
+  for (const Cut& one : design.cuts) ++counts[one.block];
+  return std::ranges::all_of(together(design, cut), [&](const Cut& one) { return counts[one.block] > 1; });
 }
 
 Design withoutCut(const Design& design, const Cut& cut) {
   Design changed = design;
-  const auto place = std::ranges::find(design.cuts, cut.id, &Cut::id) - design.cuts.begin();
-  changed.cuts.erase(changed.cuts.begin() + place);
-  changed.bindings = without(changed.bindings, "/cuts/", std::size_t(place));
+  for (const Cut& gone : together(design, cut))
+    std::erase_if(changed.cuts, [&](const Cut& one) { return one.id == gone.id; });
+  detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
   if (std::ranges::find(changed.cuts, cut.source, &Cut::source) != changed.cuts.end()) return changed;
   const auto source = &design.sourceOf(cut) - design.sources.data();
   if (!design.sources[std::size_t(source)].surface) return changed;  // a file may be cut again
   changed.sources.erase(changed.sources.begin() + source);
-  changed.bindings = without(changed.bindings, "/sources/", std::size_t(source));
+  changed.bindings = withoutSource(changed.bindings, std::size_t(source));
   return changed;
 }
 

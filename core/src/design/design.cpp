@@ -20,6 +20,7 @@
 #include "bw/core/text/base64.h"
 #include "bw/core/text/number_text.h"
 #include "design/design_keys.h"
+#include "design/grid_cuts.h"
 
 namespace bw {
 
@@ -387,32 +388,17 @@ Result<Design> parseDesign(std::string_view text, int* version) {
 
 namespace {
 
-std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design);
-
 /// Cuts of a grid are written in an order of their own: the expressions of those that were read go with them.
 void followCuts(const json& object, Design& design) {
-  const std::string list = "/cuts/";
-  const auto first = design.bindings.lower_bound(list);
-  if (!design.grid || first == design.bindings.end() || !first->first.starts_with(list)) return;
-  const std::optional<std::vector<Cut>> written = cutsUnderGrid(design);
-  if (!written) return;
-  std::map<std::string, BoundNumber> bindings;
-  for (const auto& [pointer, bound] : design.bindings) {
-    const std::size_t end = pointer.starts_with(list) ? pointer.find('/', list.size()) : std::string::npos;
-    if (end == std::string::npos) {
-      bindings.emplace(pointer, bound);
-      continue;
-    }
-    const std::string index = pointer.substr(list.size(), end - list.size());
-    const json& cut = object["cuts"][std::stoul(index)];
-    const std::string id = cut.value("id", "cut-" + std::to_string(std::stoul(index) + 1));
-    const std::string block = cut.value("block", std::string());
-    const auto now = std::ranges::find_if(
-        *written, [&](const Cut& other) { return other.id == id && other.block == block; });
-    if (now == written->end()) continue;
-    bindings.emplace(list + std::to_string(now - written->begin()) + pointer.substr(end), bound);
+  const std::optional<std::vector<Cut>> written = design.grid ? detail::cutsUnderGrid(design) : std::nullopt;
+  if (!written || !object.contains("cuts")) return;
+  std::vector<Cut> read;
+  for (const json& cut : object["cuts"]) {
+    Cut& one = read.emplace_back();
+    one.id = cut.value("id", "cut-" + std::to_string(read.size()));
+    one.block = cut.value("block", std::string());
   }
-  design.bindings = std::move(bindings);
+  detail::moveCutBindings(design.bindings, read, *written);
 }
 
 }  // namespace
@@ -473,27 +459,6 @@ Result<Design> detail::designFrom(const json& object, const std::string& path, c
 
 namespace {
 
-/// The cuts of a grid as files tell them: those that each block has, without a block, and those that are not
-/// so. Empty where that would not come to the same cuts.
-std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
-  if (!design.grid || design.stock != stockOf(*design.grid)) return {};
-  const std::string& first = design.stock.front().id;
-  std::vector<Cut> each, own;
-  for (Cut cut : design.cuts)
-    if (cut.block == first && cut.id.size() > first.size() + 1 && cut.id.ends_with("-" + first)) {
-      cut.id.resize(cut.id.size() - first.size() - 1);
-      cut.block.clear();
-      each.push_back(std::move(cut));
-    }
-  std::map<std::string, Cut> made;
-  for (Cut& cut : cutsOf(design.stock, each, {})) made.emplace(cut.id, cut);
-  for (const Cut& cut : design.cuts)
-    if (const auto found = made.find(cut.id); found == made.end() || found->second != cut) own.push_back(cut);
-  if (cutsOf(design.stock, each, own) != design.cuts) return {};
-  each.insert(each.end(), own.begin(), own.end());
-  return each;
-}
-
 /// Puts the expressions in the place of the numbers that they came to.
 void writeBindings(const std::map<std::string, BoundNumber>& bindings, nlohmann::ordered_json& object) {
   constexpr double kSame = 1e-12;  // relative: angles are kept in rad
@@ -551,7 +516,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
     detail::writeSourceKeys(source, part);
     sources.push_back(std::move(part));
   }
-  const std::optional<std::vector<Cut>> underGrid = cutsUnderGrid(design);
+  const std::optional<std::vector<Cut>> underGrid = detail::cutsUnderGrid(design);
   for (const StockBlock& block : design.stock) {
     if (underGrid) break;
     json part = {{"id", block.id}};

@@ -50,8 +50,11 @@ std::string shapeText(const DesignedSurface& surface) {
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape))
     return "poles " + std::to_string(poles->columns) + " × " + std::to_string(poles->rows);
   if (const auto* graph = std::get_if<FormulaSurface>(&surface.shape)) return "formula z = " + graph->formula;
-  if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape))
-    return "loft of " + std::to_string(loft->sections.size()) + " sections";
+  if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) {
+    constexpr const char* kSpaced[] = {"by chord", "by its root", "evenly"};
+    return "loft of " + std::to_string(loft->sections.size()) + " sections, " +
+           kSpaced[std::size_t(loft->loft)];
+  }
   return std::to_string(std::get<BladesSurface>(surface.shape).blades.size()) + " key blades";
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -244,17 +245,42 @@ bool RowProblem::look(bool slopes) {
   return std::ranges::all_of(stations_, [](const Station* station) { return station->good; });
 }
 
+bool RowProblem::watch() {
+  std::vector<char> falls(stations_.size(), false);
+  const Result<void> ok = parallelFor(row_.context(), int(stations_.size()), [&](int i) {
+    Station& station = *stations_[std::size_t(i)];
+    if (!station.good) return;
+    const std::array<bool, kStationMargins> before = station.watched;
+    row_.watch(station);
+    falls[std::size_t(i)] = station.watched != before && !row_.isFirm(station);
+  });
+  return ok && std::ranges::any_of(falls, std::identity());
+}
+
 void RowProblem::solve() {
-  if (row_.demands() && stations_.size() > 1)
-    for (const double demand : kFirst) {
-      demand_ = demand;
-      settle();
-      // What was far from its margins may have come near to them.
-      for (Station* station : stations_)
-        if (station->good) row_.watch(*station);
-    }
-  demand_ = kDemand;
-  settle();
+  const bool together = stations_.size() > 1;
+  std::vector<Station> began;
+  if (together)
+    for (const Station* station : stations_) began.push_back(*station);
+  const auto settled = [&] {
+    if (row_.demands() && together)
+      for (const double demand : kFirst) {
+        demand_ = demand;
+        settle();
+        watch();
+      }
+    demand_ = kDemand;
+    settle();
+  };
+  settled();
+  // What was far from its margins where it began may have come below them: once more from there, watched.
+  if (!together || !watch()) return;
+  for (std::size_t i = 0; i < began.size(); ++i) {
+    began[i].watched = stations_[i]->watched;
+    began[i].sloped = false;
+    *stations_[i] = std::move(began[i]);
+  }
+  settled();
 }
 
 void RowProblem::settle() {

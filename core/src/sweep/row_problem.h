@@ -37,6 +37,8 @@ class RowProblem : ceres::EvaluationCallback {
 
  private:
   void PrepareForEvaluation(bool slopes, bool isNew) override;
+  /// Has stations look at margins that they have come near to; true if one has come below a margin so.
+  bool watch();
   /// Takes stations back to where the solver stands, whose last step is mostly none that it takes.
   void stepBack();
 

@@ -245,8 +245,9 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, QObject* parent) : QO
   add_ = makeButton(tr("Add cut"), tr("Another cut of this block, with a surface of its own"), this,
                     &CutFields::add);
   add_->setObjectName("addCut");
-  remove_ =
-      makeButton(tr("Remove cut"), tr("Takes this cut away; a block keeps one"), this, &CutFields::remove);
+  remove_ = makeButton(tr("Remove cut"),
+                       tr("Takes this cut away, in a grid from each of its blocks; a block keeps one"), this,
+                       &CutFields::remove);
   remove_->setObjectName("removeCut");
   layout->addWidget(remove_);
   layout->addWidget(add_);

@@ -22,10 +22,11 @@ struct AnotherCut {
 };
 Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const BlockPlacement& placed);
 
-/// True if the block has another cut, so that this one may go; never under a grid.
+/// True if the block has another cut, so that this one may go, and under a grid each block whose goes with
+/// it.
 bool mayGo(const Design& design, const Cut& cut);
-/// The design without a cut that may go, and without its source where nothing else is of it. Expressions of
-/// what stands behind stay with it.
+/// The design without a cut that may go, under a grid without that of each block, and without its source
+/// where nothing else is of it. Expressions of what stands behind stay with it.
 Design withoutCut(const Design& design, const Cut& cut);
 
 }  // namespace bw

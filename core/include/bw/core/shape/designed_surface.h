@@ -119,7 +119,7 @@ struct DesignedSurface {
   bool operator==(const DesignedSurface&) const = default;
 };
 
-/// What it is in a few words: "poles 4 × 6", "formula z = x*y/4000", "loft of 3 sections",
+/// What it is in a few words: "poles 4 × 6", "formula z = x*y/4000", "loft of 3 sections, by chord",
 /// "4 key blades".
 std::string shapeText(const DesignedSurface& surface);
 
