@@ -23,6 +23,7 @@
 #include "bw/model/evaluation_runner.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/reach.h"
+#include "bw/pipeline/region.h"
 #include "bw/pipeline/sketch.h"
 #include "patience.h"
 #include "sample_wall.h"
@@ -471,6 +472,57 @@ TEST(Sketch, TellsWhereTheSurfaceLeavesItsBlock) {
   EXPECT_TRUE(search.reach().ends[1].known);
   EXPECT_LT(search.reach().ends[1].free, 25);
   EXPECT_GT(search.reach().ends[1].free, 3);
+}
+
+TEST(Sketch, ARegionIsSoughtAllAround) {
+  const Design design = test::sampleWall(1, 1, 9, false);
+  const auto moved = [&design](const Eigen::Vector2d& by) {
+    Design there = design;
+    std::vector<Eigen::Vector2d>& points =
+        std::get<SectionsSurface>(there.source().surface->shape).sections[1].points;
+    points[points.size() / 2] += by;
+    return there;
+  };
+  const std::shared_ptr<const Evaluation> first = evaluated(design);
+  RegionSearch search(first, moved);
+  EXPECT_TRUE(search.region().rays.empty());
+  double known = 0;
+  while (search.look({})) {
+    double all = 0;
+    for (const Region::Ray& ray : search.region().rays) all += ray.free;
+    EXPECT_GE(all, known) << "it only grows";
+    known = all;
+  }
+  const std::vector<Region::Ray> rays = search.region().rays;
+  ASSERT_EQ(rays.size(), 2 * RegionSearch::kLines);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const double angle = kPi * double(k) / double(RegionSearch::kLines);
+    EXPECT_LT((rays[k].way - Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm(), 1e-12);
+    EXPECT_GT(rays[k].free, 0);
+    EXPECT_TRUE(rays[k].bar != Bar::none || rays[k].free == RegionSearch::kFarthest);
+  }
+  // As far as along that way alone, but for what it is sought less closely.
+  ReachSearch up(
+      first,
+      [&](double by) {
+        return moved({0, by});
+      },
+      RegionSearch::kFarthest);
+  while (up.look({})) {
+  }
+  for (const std::size_t end : {0, 1}) {
+    const double far = std::abs(up.reach().ends[end].free);
+    const Region::Ray& ray = rays[RegionSearch::kLines / 2 + (end == 0 ? RegionSearch::kLines : 0)];
+    EXPECT_NEAR(ray.free, far, ReachSearch::kWithin + RegionSearch::kWithinShare * far);
+    EXPECT_EQ(ray.bar, up.reach().ends[end].bar);
+  }
+  // Where nothing is to be cut as it is nothing is said.
+  Design tight = design;
+  tight.blade.length = 500;
+  RegionSearch none(first, [&tight](const Eigen::Vector2d&) { return tight; });
+  while (none.look({})) {
+  }
+  EXPECT_TRUE(none.region().rays.empty());
 }
 
 TEST(Sketch, ComesBeforeTheEvaluationOfADrag) {

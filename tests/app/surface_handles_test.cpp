@@ -326,6 +326,34 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
   EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
 }
 
+TEST_F(SurfaceHandlesTest, WhereAPointMayGoInItsPlaneIsShadedAroundIt) {
+  open("three-block-wall");
+  window().commands()["view.front"]->trigger();
+  QTest::qWait(500);  // the camera turns
+  constexpr int kPoint = 3;
+  const QPoint from = at(kPoint), to = from + QPoint(14, -10);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  EXPECT_TRUE(handles().region.corners.empty()) << "it has not moved";
+  QTest::mouseMove(&view(), from + QPoint(8, -6));
+  QTest::mouseMove(&view(), to);
+  const auto& region = bench().runner().region();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return region && region->rays.size() == 2 * pipeline::RegionSearch::kLines; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return std::ranges::any_of(handles().region.ends, [](char ends) { return ends != 0; }); },
+      kPatience));
+  picture("handle-region");
+  // All of it lies in the plane of the section, around where the point was.
+  const scene::HandleRegion shown = handles().region;
+  ASSERT_EQ(shown.corners.size(), region->rays.size());
+  ASSERT_EQ(shown.ends.size(), shown.corners.size());
+  const double y = handles().points[kPoint].y();
+  for (const Eigen::Vector3d& corner : shown.corners) EXPECT_NEAR(corner.y(), y, 1e-9);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(handles().region.corners.empty());
+}
+
 TEST_F(SurfaceHandlesTest, AHandleLetGoOfBeforeItsBorderIsKnownGoesBackToIt) {
   open("single-block");
   const Design before = bench().design();

@@ -29,6 +29,7 @@
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/reach.h"
+#include "bw/pipeline/region.h"
 #include "bw/pipeline/sketch.h"
 #include "sample_wall.h"
 
@@ -454,6 +455,36 @@ void reachOfHandle(benchmark::State& state) {
   state.counters["above_mm"] = above;
 }
 BENCHMARK(reachOfHandle)->ArgName("point")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Where in its plane a point of a section of such a block may be pulled. `around_ms`: until something is
+/// known of all ways; `looks`: pairs of sketches until nothing more is sought.
+void regionOfHandle(benchmark::State& state) {
+  const Design design = test::sampleWall(1, 1, 33, false);
+  const auto from = std::make_shared<const Evaluation>(evaluate(design, nullptr, {}).evaluation);
+  if (!from->complete()) return state.SkipWithError("no result");
+  std::vector<double> around;
+  int looks = 0;
+  for (auto _ : state) {
+    const auto began = std::chrono::steady_clock::now();
+    RegionSearch search(from, [&design](const Eigen::Vector2d& by) {
+      Design there = design;
+      std::vector<Eigen::Vector2d>& points =
+          std::get<SectionsSurface>(there.source().surface->shape).sections[1].points;
+      points[points.size() / 2] += by;
+      return there;
+    });
+    bool known = false;
+    for (looks = 1; search.look({}); ++looks) {
+      if (known || search.region().rays.size() < 2 * RegionSearch::kLines) continue;
+      known = true;
+      around.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    }
+    if (!known) return state.SkipWithError("barred where it is");
+  }
+  state.counters["around_ms"] = 1e3 * quantile(around, 0.5);
+  state.counters["looks"] = looks;
+}
+BENCHMARK(regionOfHandle)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {

@@ -140,9 +140,12 @@ void EvaluationRunner::clear() {
     sketches_ = false;
     ++reachNumber_;
     reachAt_ = {};
+    ++regionNumber_;
+    regionAt_ = {};
   }
   sketch_.reset();
   reach_.reset();
+  region_.reset();
   firstWanted_ = lastNumber_ + 1;
   evaluation_.reset();
   lastComplete_.reset();
@@ -161,7 +164,7 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       while (waiting_.empty()) {
         lock.unlock();
         // How far a hand may go, which waits for it, comes before what takes longer.
-        bool looked = lookFarther(stop) || confirmBorder(stop);
+        bool looked = lookFarther(stop) || confirmBorder(stop) || lookAround(stop);
         lock.lock();
         if (!looked && thought && thought == newest_ && waiting_.empty()) {
           looked = true;
@@ -172,10 +175,10 @@ void EvaluationRunner::work(const std::stop_token& stop) {
           thinkAgain(thought, stopped, stop);
           lock.lock();
           // A hand that takes hold of something puts it off; whatever else stops it ends it.
-          const bool putOff = stopped.stop_requested() && searched_ != reachNumber_;
+          const bool putOff = stopped.stop_requested() && soughtAnew();
           thought = putOff && newest_ && newest_->result() ? newest_ : nullptr;
         }
-        const auto asked = [this] { return !waiting_.empty() || searched_ != reachNumber_; };
+        const auto asked = [this] { return !waiting_.empty() || soughtAnew(); };
         if (!looked && !wake_.wait(lock, stop, asked)) return;
       }
       order = std::move(waiting_.front());
@@ -295,7 +298,21 @@ void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthe
   wake_.notify_one();
 }
 
-void EvaluationRunner::endReach() { seekReach({}, 0); }
+void EvaluationRunner::seekRegion(std::function<Design(const Eigen::Vector2d&)> at) {
+  region_.reset();
+  {
+    const std::lock_guard lock(mutex_);
+    ++regionNumber_;
+    regionAt_ = std::move(at);
+    if (secondThoughts_) running_.request_stop();
+  }
+  wake_.notify_one();
+}
+
+void EvaluationRunner::endReach() {
+  seekReach({}, 0);
+  seekRegion({});
+}
 
 void EvaluationRunner::aimReach(double by) {
   const std::lock_guard lock(mutex_);
@@ -303,10 +320,14 @@ void EvaluationRunner::aimReach(double by) {
 }
 
 void EvaluationRunner::takeSearch() {
+  const bool possible = sketches_ && newest_ && newest_->result();
+  if (std::exchange(aroundNumber_, regionNumber_) != regionNumber_) {
+    around_.reset();
+    if (regionAt_ && possible) around_.emplace(newest_, regionAt_);
+  }
   if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
   search_.reset();
-  if (reachAt_ && sketches_ && newest_ && newest_->result())
-    search_.emplace(newest_, reachAt_, reachFarthest_);
+  if (reachAt_ && possible) search_.emplace(newest_, reachAt_, reachFarthest_);
 }
 
 bool EvaluationRunner::lookFarther(const std::stop_token& end) {
@@ -321,21 +342,53 @@ bool EvaluationRunner::lookFarther(const std::stop_token& end) {
   return true;
 }
 
-bool EvaluationRunner::confirmBorder(const std::stop_token& end) {
-  if (!search_ || !search_->unsure() || end.stop_requested()) return false;
+bool EvaluationRunner::inPassing(const std::function<void(const RunContext&)>& step) {
   RunContext context;
   {
     const std::lock_guard lock(mutex_);
-    if (!waiting_.empty()) return true;
+    if (!waiting_.empty()) return false;
     running_ = std::stop_source();
     context.stop = running_.get_token();
-    secondThoughts_ = true;  // whatever is asked for comes first
-    search_->aim(reachAim_);
+    secondThoughts_ = true;
   }
-  seek([&] { search_->confirm(context); });
+  step(context);
   const std::lock_guard lock(mutex_);
   running_ = std::stop_source(std::nostopstate);
   secondThoughts_ = false;
+  return true;
+}
+
+bool EvaluationRunner::confirmBorder(const std::stop_token& end) {
+  if (!search_ || !search_->unsure() || end.stop_requested()) return false;
+  {
+    const std::lock_guard lock(mutex_);
+    search_->aim(reachAim_);
+  }
+  inPassing([this](const RunContext& context) { seek([&] { search_->confirm(context); }); });
+  return true;
+}
+
+bool EvaluationRunner::lookAround(const std::stop_token& end) {
+  if (!around_ || !around_->looking() || end.stop_requested()) return false;
+  inPassing([this](const RunContext& context) {
+    try {
+      around_->look(context);
+    } catch (const std::exception&) {
+      around_.reset();  // what was found until now stands
+      return;
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, number = aroundNumber_, region = around_->region()] {
+          {
+            const std::lock_guard lock(mutex_);
+            if (number != regionNumber_) return;
+          }
+          region_ = region;
+          emit reached();
+        },
+        Qt::QueuedConnection);
+  });
   return true;
 }
 

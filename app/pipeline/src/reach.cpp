@@ -70,10 +70,11 @@ bool leavesSurface(const Evaluation& evaluation) {
 }  // namespace
 
 ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
-                         double farthest)
+                         double farthest, double withinShare)
     : from_(from),
       at_(std::move(at)),
       farthest_(farthest),
+      withinShare_(withinShare),
       sides_{Side{Sketcher(from)}, Side{Sketcher(from)}},
       near_(Sketcher(from)) {}
 
@@ -124,7 +125,9 @@ bool ReachSearch::look(const RunContext& context) {
       end.bar = bar;
       side.barred = next;
     }
-    side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
+    const double far = std::abs(end.free);
+    side.done =
+        end.bar != Bar::none ? side.barred - far <= std::max(kWithin, withinShare_ * far) : next >= farthest_;
     end.known = side.done && end.bar == Bar::none;
   }
   near_.reset();

@@ -4,6 +4,7 @@
 #include "bw/pipeline/region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,7 +27,7 @@ bool RegionSearch::looking() const {
 
 bool RegionSearch::look(const RunContext& context) {
   // Those far apart first: across, up, and between them.
-  constexpr std::size_t kOrder[] = {0, 4, 2, 6, 1, 3, 5, 7};
+  constexpr std::array<std::size_t, kLines> kOrder = {0, 4, 2, 6, 1, 3, 5, 7};
   Line* next = nullptr;
   std::size_t number = 0;
   for (const std::size_t line : kOrder)

@@ -76,6 +76,16 @@ void HandleMarks::update(const Projection& view, int width, int height, const St
       if (near(from, width, height) && near(to, width, height))
         canvas_.line(from.pixel, to.pixel, kCurve * px, colors.selection, 0.8);
     }
+  const Polyline& corners = handles.region.corners;
+  if (there(handles.lit))
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Eigen::Vector2d& middle = spots[std::size_t(handles.lit)].pixel;
+      const Spot from = spotOf(view, corners[k]), to = spotOf(view, corners[(k + 1) % corners.size()]);
+      if (!near(from, width, height) || !near(to, width, height)) continue;
+      canvas_.triangle(middle.x(), middle.y(), from.pixel.x(), from.pixel.y(), to.pixel.x(), to.pixel.y(),
+                       colors.selection, 0.18);
+      if (handles.region.ends[k]) canvas_.line(from.pixel, to.pixel, kCurve * px, colors.error, 0.7);
+    }
   for (const HandleWay& way : handles.ways) {
     const Spot from = spotOf(view, way.from), to = spotOf(view, way.to);
     if (!near(from, width, height) || !near(to, width, height)) continue;

@@ -15,6 +15,19 @@ QPointF pixelOf(const SectionFrame& frame, const Eigen::Vector2d& place) {
   return frame.toArea.map(QPointF(place.x(), place.y()));
 }
 
+void paintRegion(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips, const Colours& c) {
+  QPolygonF polygon;
+  for (const Eigen::Vector2d& corner : grips.region) polygon << pixelOf(frame, corner);
+  QColor shade = c.selection;
+  shade.setAlphaF(0.18F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(shade);
+  painter.drawPolygon(polygon);
+  painter.setPen(QPen(c.error, 1.5));
+  for (qsizetype k = 0; k < polygon.size(); ++k)
+    if (grips.regionEnds[std::size_t(k)]) painter.drawLine(polygon[k], polygon[(k + 1) % polygon.size()]);
+}
+
 }  // namespace
 
 int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& pixel) {
@@ -31,6 +44,7 @@ int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& 
 void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips, const Colours& c) {
   painter.save();
   painter.setClipRect(frame.area);
+  paintRegion(painter, frame, grips, c);
   for (const SectionGrips::Way& way : grips.ways) {
     const QPointF from = pixelOf(frame, way.from), to = pixelOf(frame, way.to);
     painter.setPen(QPen(c.selection, 2));

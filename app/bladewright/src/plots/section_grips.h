@@ -31,6 +31,10 @@ struct SectionGrips {
   };
   std::vector<Grip> grips;
   std::vector<Way> ways;
+  /// Where the one that is held may go: a polygon, and which of its sides, from each corner to the next, are
+  /// borders.
+  std::vector<Eigen::Vector2d> region;
+  std::vector<char> regionEnds;
   /// What the one that is held was brought in line with: its place, and the line on which both lie.
   struct Meeting {
     Eigen::Vector2d at, from, to;
@@ -45,7 +49,8 @@ using FindGrips = std::function<SectionGrips(const Frame& plane, double reach)>;
 /// The grip at a pixel; −1 if there is none.
 int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& pixel);
 
-/// Discs at the grips, the ways of those that are moved, and what they were brought in line with.
+/// Discs at the grips, the ways of those that are moved, the region of the one that is held, and what they
+/// were brought in line with.
 void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips,
                 const Colours& colours);
 

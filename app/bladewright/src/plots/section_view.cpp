@@ -127,6 +127,7 @@ SectionGrips SectionView::grips() const {
     place = {shown.x(), shown.y()};
   };
   for (SectionGrips::Grip& grip : found.grips) show(grip.place);
+  for (Eigen::Vector2d& corner : found.region) show(corner);
   for (SectionGrips::Way& way : found.ways)
     for (Eigen::Vector2d* end : {&way.from, &way.to}) show(*end);
   for (SectionGrips::Meeting& meeting : found.meetings)

@@ -119,6 +119,7 @@ void SurfaceHandles::setSymmetric(bool on) {
   bench_.settings().setHandles(habits_);
   emit chosenChanged();  // others move together now
   if (pull_) seek();
+  if (pull_ && pull_->around) seekAround();
   emit changed();
 }
 
@@ -295,6 +296,24 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   handles.stopped = !pull_->stoppedBy.isEmpty() || (reach && reach->now != pipeline::Bar::none);
   if (reach && reach->now == pipeline::Bar::none) handles.ways = ways(*reach);
+  if (const std::optional<pipeline::Region>& around = bench_.runner().region())
+    handles.region = region(*around);
+}
+
+scene::HandleRegion SurfaceHandles::region(const pipeline::Region& region) const {
+  constexpr std::size_t kLeast = 4;  // rays: fewer enclose nothing
+  scene::HandleRegion shown;
+  if (region.rays.size() < kLeast) return shown;
+  const Eigen::Vector3d from = placesOf(pull_->base)[std::size_t(pull_->handle)];
+  std::vector<char> stops;
+  for (const pipeline::Region::Ray& ray : region.rays) {
+    const double ordered = orderedBy(ray.free, ray.way);
+    shown.corners.push_back(from + wayBy(ordered * ray.way));
+    stops.push_back(ray.bar != pipeline::Bar::none || ordered < ray.free);
+  }
+  for (std::size_t k = 0; k < stops.size(); ++k)
+    shown.ends.push_back(stops[k] && stops[(k + 1) % stops.size()]);
+  return shown;
 }
 
 std::vector<scene::HandleWay> SurfaceHandles::ways(const pipeline::Reach& reach) const {
@@ -425,7 +444,7 @@ void SurfaceHandles::begin(Pull pull) {
 }
 
 void SurfaceHandles::seek() {
-  pull_->ordered = {orderedBy(-pull_->farthest), orderedBy(pull_->farthest)};
+  pull_->ordered = {orderedBy(-pull_->farthest, pull_->along), orderedBy(pull_->farthest, pull_->along)};
   pull_->stops = {};
   bench_.runner().seekReach(
       [design = bench_.design(), cut = bench_.cut(), base = pull_->base, moved = held(), along = pull_->along,
@@ -437,12 +456,22 @@ void SurfaceHandles::seek() {
       pull_->farthest);
 }
 
-double SurfaceHandles::orderedBy(double by) const {
+void SurfaceHandles::seekAround() {
+  pull_->around = true;
+  bench_.runner().seekRegion([design = bench_.design(), cut = bench_.cut(), base = pull_->base,
+                              moved = held(), symmetric = habits_.symmetric](const Eigen::Vector2d& by) {
+    Design pulled = design;
+    pulled.sourceOf(cut).surface = movedBy(base, moved, by, symmetric);
+    return pulled;
+  });
+}
+
+double SurfaceHandles::orderedBy(double by, const Eigen::Vector2d& along) const {
   constexpr int kHalvings = 24;
   const auto ordered = [&](double to) {
-    return keepsOrder(pull_->base, movedBy(pull_->base, held(), to * pull_->along, habits_.symmetric));
+    return keepsOrder(pull_->base, movedBy(pull_->base, held(), to * along, habits_.symmetric));
   };
-  if (pull_->along.x() == 0 || ordered(by)) return by;
+  if (along.x() == 0 || ordered(by)) return by;
   double free = 0, barred = by;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (free + barred);
@@ -536,6 +565,7 @@ void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardM
     pull_->farthest = std::max(kFarthest, pull_->wished);
     seek();
   }
+  if (pull_->freely && !middle && !pull_->around && !wished.isZero()) seekAround();
   keepWithin();
 }
 
@@ -614,7 +644,7 @@ void SurfaceHandles::keepWithin() {
   QString why = may.stoppedBy ? wordsOf(*may.stoppedBy) : QString();
   if (may.stoppedBy && reach && !reach->ends[side].known) why += tr("; being looked at more closely");
   double by = may.by;
-  if (const double ordered = orderedBy(by); ordered != by) {
+  if (const double ordered = orderedBy(by, pull_->along); ordered != by) {
     by = lastBefore(ordered, pulledFrom(), pull_->step);
     why = tr("a point may not overtake its neighbour");
   }

@@ -131,6 +131,7 @@ class SurfaceHandles : public QObject {
     std::optional<double> letGoAt = {};    ///< that, before it was known whether it may stay there
     int mergeId = -1;
     bool moved = false;
+    bool around = false;                           ///< where in its plane it may go is sought
     double wished = 0;                             ///< mm, where the hand is
     std::array<std::optional<double>, 2> to = {};  ///< the numbers there, to their last digit
     double step = 1;                               ///< mm, of the numbers
@@ -169,7 +170,7 @@ class SurfaceHandles : public QObject {
   /// The number that is moved alone, where `by` is 0; 0 where both are.
   double pulledFrom() const;
   /// `by`, or as far as the points keep their order.
-  double orderedBy(double by) const;
+  double orderedBy(double by, const Eigen::Vector2d& along) const;
   void pull(double by, bool live);
   /// What the handle that is held may snap to: nothing that moves with it.
   SnapThings snapThings() const;
@@ -180,9 +181,13 @@ class SurfaceHandles : public QObject {
   QString pullName() const;
   /// Seeks how far the handles pulled may go.
   void seek();
+  /// Seeks where in its plane it may go.
+  void seekAround();
   void endPull();
   /// How far each handle that is moved may go with the others.
   std::vector<scene::HandleWay> ways(const pipeline::Reach& reach) const;
+  /// Where in its plane the one that is held may go.
+  scene::HandleRegion region(const pipeline::Region& region) const;
   /// What is told beside the handle that is moved.
   std::string pullText() const;
 

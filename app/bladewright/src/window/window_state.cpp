@@ -48,6 +48,10 @@ SectionGrips gripsIn(const scene::Handles& handles, int count, const Eigen::Vect
   for (const scene::HandleWay& each : handles.ways)
     if (lies(each.from))
       in.ways.push_back({placed(each.from), placed(each.to), each.endsAtFrom, each.endsAtTo});
+  if (const scene::Polyline& corners = handles.region.corners; std::ranges::all_of(corners, lies)) {
+    std::ranges::transform(corners, std::back_inserter(in.region), placed);
+    in.regionEnds = handles.region.ends;
+  }
   in.text = QString::fromStdString(handles.text);
   in.stopped = handles.stopped;
   return in;

@@ -133,6 +133,13 @@ struct HandleWay {
   bool operator==(const HandleWay&) const = default;
 };
 
+/// Where a handle may go in its plane: a polygon around it, of which some sides are borders beyond which it
+/// may not.
+struct HandleRegion {
+  Polyline corners;
+  std::vector<char> ends;  ///< of the side from each corner to the next
+};
+
 /// Places of which a hand takes hold, over everything.
 struct Handles {
   std::vector<Eigen::Vector3d> points;
@@ -143,6 +150,7 @@ struct Handles {
   std::string text;                       ///< beside it
   bool stopped = false;                   ///< it goes no farther
   std::vector<HandleWay> ways;            ///< of all that move with it
+  HandleRegion region = {};               ///< of the one that is held
 };
 
 /// How a thing is shown.

@@ -21,6 +21,7 @@
 #include "bw/core/design/design.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/reach.h"
+#include "bw/pipeline/region.h"
 #include "bw/pipeline/sketch.h"
 
 namespace bw::model {
@@ -55,11 +56,15 @@ class EvaluationRunner : public QObject {
   /// Seeks how far something may be moved from the newest result, while nothing else is to be done: `at`
   /// makes the design that is moved by so much, `farthest` at most. What was sought before is forgotten.
   void seekReach(std::function<Design(double)> at, double farthest);
+  /// The same of all ways in a plane, after that: `at` makes the design that is moved by so many mm along
+  /// both axes of it. Ends with the reach.
+  void seekRegion(std::function<Design(const Eigen::Vector2d&)> at);
   void endReach();
   /// Where it is wanted, so that it is known first whether it may go there (`ReachSearch::aim`).
   void aimReach(double by);
   /// What was found of it so far; empty where nothing was.
   const std::optional<pipeline::Reach>& reach() const { return reach_; }
+  const std::optional<pipeline::Region>& region() const { return region_; }
   /// Stops whatever runs and forgets what waits.
   void cancel();
   /// Forgets the results (another design was opened).
@@ -89,7 +94,7 @@ class EvaluationRunner : public QObject {
   void finished();
   /// A newer sketch stands in sketch().
   void sketched();
-  /// More of the reach that is sought stands in reach().
+  /// More of what is sought stands in reach() or region().
   void reached();
   /// The user stopped the work; the newest design has no result.
   void cancelled();
@@ -113,13 +118,18 @@ class EvaluationRunner : public QObject {
   /// Draws a sketch of a live order and waits for the hand to rest. True where a newer design came meanwhile,
   /// so that this one need not be evaluated.
   bool drawSketch(const Order& order, const RunContext& context, const std::stop_token& end);
-  /// Begins with the reach that was asked for last, from the newest result; with mutex_ locked.
+  /// Begins with the reach and the region asked for last, from the newest result; with mutex_ locked.
   void takeSearch();
+  bool soughtAnew() const { return searched_ != reachNumber_ || aroundNumber_ != regionNumber_; }
   /// One more look at the reach that is sought; false where there is nothing to look for.
   bool lookFarther(const std::stop_token& end);
   /// Holds a border of it against an evaluation until something else is asked for; false where there is none
   /// to hold.
   bool confirmBorder(const std::stop_token& end);
+  /// One more look at the region that is sought, until something else is asked for; false likewise.
+  bool lookAround(const std::stop_token& end);
+  /// Has the worker do what gives way to whatever is asked for; false where something is asked for already.
+  bool inPassing(const std::function<void(const RunContext&)>& step);
   /// A step of the search, and what is known after it.
   void seek(const std::function<void()>& step);
   void takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch);
@@ -147,11 +157,14 @@ class EvaluationRunner : public QObject {
   std::function<Design(double)> reachAt_;
   double reachFarthest_ = 0;
   double reachAim_ = 0;
+  std::uint64_t regionNumber_ = 0;
+  std::function<Design(const Eigen::Vector2d&)> regionAt_;
 
   // Of the worker.
   std::optional<pipeline::Sketcher> sketcher_;  // from the newest result
   std::optional<pipeline::ReachSearch> search_;
-  std::uint64_t searched_ = 0;  // the number of that
+  std::optional<pipeline::RegionSearch> around_;
+  std::uint64_t searched_ = 0, aroundNumber_ = 0;  // the numbers of these
 
   // Of the interface thread.
   std::uint64_t lastNumber_ = 0, firstWanted_ = 0;
@@ -163,6 +176,7 @@ class EvaluationRunner : public QObject {
   std::shared_ptr<const pipeline::Evaluation> evaluation_, lastComplete_;
   std::shared_ptr<const pipeline::Sketch> sketch_;
   std::optional<pipeline::Reach> reach_;
+  std::optional<pipeline::Region> region_;
   std::shared_ptr<const Design> evaluatedDesign_;
   std::optional<Error> error_;
   QTimer patience_;

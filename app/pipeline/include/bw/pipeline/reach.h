@@ -53,9 +53,9 @@ class ReachSearch {
   static constexpr double kStepShare = 0.1;     ///< of a way, to the next evaluation, at least
 
   /// `at` makes the design that is moved by so much, in the unit of `farthest` (mm), beyond which nobody
-  /// looks.
+  /// looks. Sketches seek a border no nearer than by that share of the way to it.
   ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
-              double farthest);
+              double farthest, double withinShare = 0);
 
   /// One more look each way, two sketches; false where they find nothing more. What is free and barred
   /// between two looks is not seen.
@@ -87,7 +87,7 @@ class ReachSearch {
 
   std::shared_ptr<const Evaluation> from_;
   std::function<Design(double)> at_;
-  double farthest_;
+  double farthest_, withinShare_;
   double deviation_ = 0;  ///< mm, allowed at stations
   std::array<Side, 2> sides_;
   double aim_ = 0;
