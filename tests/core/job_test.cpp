@@ -220,10 +220,27 @@ TEST(Design, RoundTripsWithAnEmbeddedSource) {
 
 TEST(Design, KeepsTheWayUpAsItIsTold) {
   Design design;
-  design.process.up = {0, 0.5, 2};  // only its direction counts
+  design.process.up = Eigen::Vector3d(0, 0.5, 2);  // only its direction counts
   const Result<Design> read = parseDesign(designToJson(design));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->process.up, design.process.up);
+  design.process.up.reset();  // that of each block
+  EXPECT_FALSE(parseDesign(designToJson(design))->process.up);
+  EXPECT_FALSE(parseJob("{}")->process.up);
+  EXPECT_FALSE(parseJob(R"({"up": "block"})")->process.up);
+  EXPECT_EQ(parseJob(R"({"up": [0, 0, 1]})")->process.up, Eigen::Vector3d::UnitZ());
+  EXPECT_FALSE(parseJob(R"({"up": "top"})"));
+}
+
+TEST(Job, TakesBothGripErrorsAtOnce) {
+  const Result<Design> job = parseJob(R"({"grip_error": {"mm": 0.3, "deg": 0.1}})");
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->process.gripError, 0.3);
+  EXPECT_EQ(job->process.gripAngle, 0.1);
+  EXPECT_EQ(parseJob(R"({"grip_error": {"deg": 0.1}})")->process.gripError, Process().gripError);
+  EXPECT_FALSE(parseJob(R"({"grip_error": {"rad": 0.1}})"));
+  EXPECT_FALSE(parseJob(R"({"grip_error": {"mm": -1}})"));
+  EXPECT_FALSE(parseJob(R"({"grip_error": [0.3, 0.1]})"));
 }
 
 TEST(Design, RefusesNewerVersionsAndOtherFiles) {

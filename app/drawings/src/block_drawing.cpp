@@ -343,7 +343,9 @@ void drawCut(PdfPages& pages, const Rectangle& room, const DrawnBlock& block, st
   if (!cut.turns.empty()) say("The blade turns as it travels: " + cut.turns, 3);
   say("Blade " + millimetres(cut.bladeLength) + " mm, " + std::to_string(cut.stations) + " stations", 1);
   say(timesText(cut.cuttingTime, cut.runTime), 1);
-  say(cut.removed ? "Takes off " + litres(*cut.removed) : "Takes off: not known", 1);
+  say((cut.removed ? "Takes off " + litres(*cut.removed) : "Takes off: not known") +
+          (cut.keeps.empty() ? "" : "; what is " + cut.keeps + " stays"),
+      2);
   say(cut.folder.empty() ? "No program" : "Program: " + cut.folder, 1);
   const double line = std::min(kMostLine, (y - room.low.y() - 1) / double(lines.size()));
   for (const std::string& words : lines) pages.text({left, y -= line}, words, body);

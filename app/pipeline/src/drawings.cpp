@@ -33,6 +33,7 @@ drawings::DrawnCut drawnCut(const Evaluation& e, const Strip& strip,
   out.id = strip.cut->id;
   out.pose = cut.pose;
   out.lies = lyingText(cut);
+  out.keeps = kKeptSides[std::size_t(cut.keep)];
   out.direction = result.sweep.planes.direction();
   out.turns = turningText(result.sweep.planes, result.sweep.block);
   out.bladeLength = result.motion.bladeLength;

@@ -100,7 +100,7 @@ ordered_json stationJson(const StationView& station) {
   object["speed_ratio"] = check.speedRatio;
   object["clearance_mm"] = check.clearance;
   object["above_bottom_mm"] = check.aboveBottom;
-  object["moved_by_grip_mm"] =
+  object["grip_error_mm"] =
       std::isfinite(check.movedByGrip) ? ordered_json(check.movedByGrip) : ordered_json(nullptr);
   return object;
 }
@@ -335,7 +335,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["grip_error_mm"] = design.process.gripError;
   method["grip_angle_error_deg"] = design.process.gripAngle;
   method["weight"] = design.process.weight;
-  method["up"] = vec(design.process.up.normalized());
+  const std::optional<Eigen::Vector3d>& up = design.process.up;
+  method["up"] = up ? ordered_json(vec(up->normalized())) : ordered_json(kUpOfBlock);
   if (e.blocks.size() > 1)
     method["join"] = {{"type", kJoins[std::size_t(design.process.join)]},
                       {"gap_mm", design.process.jointGap},

@@ -248,6 +248,8 @@ void parameters(Page& page, const Evaluation& e) {
       const std::string which = part.cuts.size() > 1 ? of + each.id + ": " : of;
       const std::string lies = lyingText(*std::ranges::find(design.cuts, each.id, &Cut::id));
       if (!lies.empty()) page.row({which + "The block lies with", lies});
+      const KeptSide kept = std::ranges::find(design.cuts, each.id, &Cut::id)->keep;
+      page.row({which + "Foam that stays, seen from the surface", kKeptSides[std::size_t(kept)]});
       if (const double offset = std::ranges::find(design.cuts, each.id, &Cut::id)->offset; offset > 0)
         page.row({which + "Stands back from the surface by", mm(offset)});
       page.row({which + "Cutting direction", direction(each.setup->planes.direction())});
@@ -277,11 +279,15 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Kerf", widths + "in between as the speed there (programs carry the middle of the blade)"});
   } else if (design.process.kerf > 0)
     page.row({"Kerf", mm(design.process.kerf) + " (programs carry the middle of the blade)"});
+  if (e.blocks.size() > 1 && design.process.join == Join::tangentPlanes)
+    page.row({"Where blocks go on in each other", "blades have the ends and the tangents of their sections"});
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Floor: the blade stays above the face that its block lies on by", mm(design.process.floor)});
   holds(page, e);
-  page.row({"Weight of the blade",
-            design.process.weight ? "counted, up is " + direction(design.process.up) : "left out"});
+  page.row({"Weight of the blade", !design.process.weight ? "left out"
+                                   : design.process.up
+                                       ? "counted, up is " + direction(*design.process.up)
+                                       : "counted, up is the way to the top of the block as it lies"});
   page.row({"A grip may be off by",
             mm(design.process.gripError) + " and turned by " + shortText(design.process.gripAngle, 4) + "°"});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});

@@ -63,7 +63,9 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
   request.margin = p.margin;
   if (request.extend == Extension::none) request.barrier = kLeastBarrier;
   request.blade.autoLength = false;
-  if (p.weight) request.weight = -design.blade.weight() * upAs(lies, cut.pose, p.up.normalized());
+  if (p.weight)
+    request.weight =
+        -design.blade.weight() * (p.up ? upAs(lies, cut.pose, p.up->normalized()) : lies.frame.normal);
   return request;
 }
 

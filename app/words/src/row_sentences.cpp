@@ -172,8 +172,8 @@ std::string Sentences::operator()(const WeightElsewhere& cause) const {
   // What rounding leaves of 0 is none.
   const auto part = [&](int axis) { return shortText(std::round(1e6 * cause.up[axis]) / 1e6 + 0.0, 4); };
   return "as the block lies in the cell, up is " + fixedText(toDegrees(cause.angle), 0) +
-         "° off what the weight of the blade is counted along, so that it hangs otherwise there; let up be "
-         "[" +
+         "° off what the weight of the blade is counted along, so that it hangs otherwise there; leave it to "
+         "the block (\"up\": \"block\"), or let it be [" +
          part(0) + ", " + part(1) + ", " + part(2) + "], or place the block as it will lie";
 }
 
@@ -252,7 +252,7 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
     return text + "; try a blade of " + mm(blade->length, 6);
   text += cause.unheldLength
               ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) + ") would not serve"
-              : "; no longer blade of this shape keeps the clearance";
+              : "; no longer blade of this shape is known to keep the clearance";
   if (const std::string also = alsoServes(finding); !also.empty()) return text + "; " + also;
   return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
 }
@@ -399,7 +399,10 @@ std::string Sentences::operator()(const Uncovered& cause) const {
                                ? std::string("a border of the surface in the block")
                                : shortText(100 * cause.share, 3) + " % of the surface in the block (" +
                                      shortText(cause.area, 3) + " mm²)";
-  const std::string remedy = "; choose another cutting direction, or " + std::string(kInParts);
+  std::string remedy = "; choose another cutting direction, or " + std::string(kInParts);
+  if (const std::optional<Eigen::Vector3d>& point = finding.where.point)
+    remedy = ", farthest at (" + shortText(point->x(), 4) + ", " + shortText(point->y(), 4) + ", " +
+             shortText(point->z(), 4) + ")" + remedy;
   if (cause.where == Uncovered::Where::off)
     return (cause.area < kHardlyAny ? "a place of the surface in the block" : part) +
            " is not cut: it lies up to " + mm(cause.distance) + " from what is" + remedy;

@@ -253,13 +253,21 @@ void readCutLength(ObjectReader& reader, std::optional<double>& length) {
 }
 
 /// The key "up".
-void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
-  Eigen::Vector3d v = up;
+void readUp(ObjectReader& reader, std::optional<Eigen::Vector3d>& up) {
+  const json* told = reader.member("up");
+  if (!told) return;
+  if (told->is_string()) {
+    int block = 0;
+    reader.word("up", {kUpOfBlock}, block);
+    return up.reset();
+  }
+  Eigen::Vector3d v = Eigen::Vector3d::UnitZ();
   reader.vector3("up", v, -1e12, 1e12);
   const double length = v.norm();
   if (length < 1e-9)
-    reader.complain("up", reader.path() + ".up has length zero; give the way up in the file's frame", length,
-                    1e-9);
+    reader.complain("up",
+                    reader.path() + ".up has length zero; give the way up in the file's frame, or \"block\"",
+                    length, 1e-9);
   else
     up = v;  // as it is told: only its direction counts
 }
@@ -291,14 +299,28 @@ void readKerfTable(ObjectReader& reader, const json& list, KerfTable& table) {
   table = std::move(read);
 }
 
+/// The key "grip_error" where it is an object: mm and degrees.
+void readGripError(ObjectReader& reader, const json& object, Process& process) {
+  ObjectReader inner(object, reader.path() + ".grip_error", reader.scope());
+  for (const ProcessNumber& number : processNumbers()) {
+    const bool turn = number.member == &Process::gripAngle;
+    if (turn || number.member == &Process::gripError)
+      inner.number(turn ? "deg" : "mm", process.*number.member, number.min, number.max);
+  }
+  reader.adopt(inner.finish());
+}
+
 /// The numbers of the process that stand in an object of that key; null: in none.
 void readNumbers(ObjectReader& reader, const char* object, Process& process) {
   for (const ProcessNumber& number : processNumbers()) {
     if (object ? !number.object || std::string_view(number.object) != object : number.object != nullptr)
       continue;
-    const json* value = number.member == &Process::kerf ? reader.member(number.key) : nullptr;
-    if (value && value->is_array())
+    const bool either = number.member == &Process::kerf || number.member == &Process::gripError;
+    const json* value = either ? reader.member(number.key) : nullptr;
+    if (value && value->is_array() && number.member == &Process::kerf)
       readKerfTable(reader, *value, process.kerfTable);
+    else if (value && value->is_object() && number.member == &Process::gripError)
+      readGripError(reader, *value, process);
     else
       reader.number(number.key, process.*number.member, number.min, number.max);
   }
@@ -481,7 +503,7 @@ void writeProcessKeys(const Process& process, json& object) {
       object["kerf"].push_back(json::array({entry.speed, entry.width}));
   }
   object["weight"] = process.weight;
-  object["up"] = vectorJson(process.up);
+  object["up"] = process.up ? vectorJson(*process.up) : json(kUpOfBlock);
 }
 
 }  // namespace bw::detail

@@ -22,7 +22,8 @@ namespace {
 
 /// Points of the blade at which the speed is compared; the speed varies smoothly along it.
 constexpr int kSpeedSamples = 41;
-constexpr int kInstants = 4;          // from one pose to the next, at which it is told
+constexpr int kInstants = 4;          // from one pose to the next, at which it is told,
+constexpr int kBendInstants = 16;     // and of a blade that bends, with speeds as the root of its slack
 constexpr double kSamePlane = 1;      // mm: a lead of its own ends farther from where the blade bends
 constexpr double kLeastBend = 0.2;    // s from one shape to the next outside of the block
 constexpr double kOfTolerance = 0.6;  // that corners at stations are cut by, at most
@@ -87,22 +88,22 @@ void sagging(const sweep::Move::Hold& hold, std::span<const double> arcs, Points
 }
 
 /// The blade with its weight at even instants between one pose and the next, the robots moving its grips
-/// evenly: its points in space. None where it cannot be followed from either of the two.
+/// evenly: its points in space, in so many parts of the way. None where it cannot be followed from either of
+/// the two.
 std::vector<Points> pointsBetween(const Sweep& sweep, const BladePose& from, const BladePose& to,
-                                  std::span<const double> arcs) {
-  std::vector<Points> instants(kInstants - 1);
+                                  std::span<const double> arcs, int parts) {
+  std::vector<Points> instants(std::size_t(parts) - 1);
   const sweep::Move move(sweep, from, to);
   if (sweep::isTaut(from) && sweep::isTaut(to)) {
-    for (int k = 1; k < kInstants; ++k)
-      sagging(move.at(double(k) / kInstants), arcs, instants[std::size_t(k) - 1]);
+    for (int k = 1; k < parts; ++k) sagging(move.at(double(k) / parts), arcs, instants[std::size_t(k) - 1]);
     return instants;
   }
   std::vector<Elastica::State> states(arcs.size());
   const auto follows = [&](const BladePose& pose, bool ahead) {
     std::optional<HeavyBranch> branch = sweep::isTaut(pose) ? std::nullopt : sweep::standing(sweep, pose);
-    for (int k = 1; branch && k < kInstants; ++k) {
-      const int at = ahead ? k : kInstants - k;
-      const sweep::Move::Hold hold = move.at(double(at) / kInstants);
+    for (int k = 1; branch && k < parts; ++k) {
+      const int at = ahead ? k : parts - k;
+      const sweep::Move::Hold hold = move.at(double(at) / parts);
       const Result<ClampedBranch::Move> moved = branch->moveTo(hold.problem);
       if (!moved || moved->snapped) return false;
       branch->blade().at(arcs, states);
@@ -189,7 +190,8 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
     Points here = movedBy(shift, pose, pose.points(arcs));
     if (before) {
-      std::vector<Points> way = pointsBetween(sweep, *before, pose, arcs);
+      std::vector<Points> way =
+          pointsBetween(sweep, *before, pose, arcs, least > 0 ? kBendInstants : kInstants);
       const auto parts = double(way.size() + 1);
       double fastest = 0;  // mm, of all of the way, at the highest speed of a point
       const auto goOn = [&](const Points& next) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "bw/core/base/box_distance.h"
 #include "bw/core/base/units.h"
@@ -23,6 +24,34 @@ namespace bw {
 namespace {
 
 using sweep::kColumns;
+
+/// How far the blade of a pose, at arc lengths, lies from where it was once one of its grips is off along its
+/// chord, either way, and turned, either way; 0 where it does not reach so far, or snaps.
+std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness, const Eigen::Vector2d& along,
+                                      std::span<const double> arcs, const CheckRequest& request) {
+  std::vector<double> moved(arcs.size(), 0.0);
+  const Result<HeavyBranch> own = HeavyBranch::from(blade, stiffness);
+  if (!own) return moved;
+  std::vector<Elastica::State> was(arcs.size()), is(arcs.size());
+  blade.at(arcs, was);
+  for (const bool end : {false, true})
+    for (const double way : {-1.0, 1.0})
+      for (const double turn : {-1.0, 1.0}) {
+        HeavyProblem off = holdOf(blade, stiffness);
+        (end ? off.grips.end : off.grips.start) += way * request.gripError * along;
+        *(end ? off.grips.endAngle : off.grips.startAngle) += turn * request.gripAngle;
+        off.grips.turning.reset();
+        HeavyBranch there = *own;
+        const Result<ClampedBranch::Move> move = there.moveTo(off);
+        if (!move || move->snapped) continue;
+        there.blade().at(arcs, is);
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+          const Eigen::Vector2d normal(-std::sin(was[k].angle), std::cos(was[k].angle));
+          moved[k] = std::max(moved[k], std::abs(normal.dot(is[k].point - was[k].point)));
+        }
+      }
+  return moved;
+}
 
 /// How far a grip that is off moves the part that cuts.
 std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
@@ -73,6 +102,13 @@ std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const
                                             request.gripAngle * std::abs(across(grip + 2)));
         }
         coarse[k] = farthest;
+      }
+      // Where the slack is not much more than the error neither law tells it all.
+      constexpr double kLittle = 10;  // errors
+      if (slack < kLittle * error) {
+        const std::vector<double> seen = movedWithGripsOff(*blade, sweep.request.blade.flexuralRigidity(),
+                                                           chord.normalized(), arcs, request);
+        for (std::size_t k = 0; k < arcs.size(); ++k) coarse[k] = std::max(coarse[k], seen[k]);
       }
     }
   }

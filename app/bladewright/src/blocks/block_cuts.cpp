@@ -153,11 +153,10 @@ void BlockCuts::refresh() {
     }
   for (const Line& line : lines_) built.push_back(line.cut);
   if (ids != built) rebuild(ids);
-  // Of a single cut there is no order, and what stays is below it.
+  // Of a single cut there is no order.
   const bool several = cuts.size() > 1;
   heads_[0]->setVisible(!narrow_);
   heads_[1]->setVisible(several);
-  heads_[4]->setVisible(several);
   // Several take none; what one has all the same can be taken away.
   const bool offset = !several || std::ranges::any_of(cuts, [](const Cut* cut) { return cut->offset != 0; });
   heads_[5]->setVisible(offset);
@@ -172,7 +171,6 @@ void BlockCuts::refresh() {
     line.turn->show(cut.pose.quarters);
     line.keep->show(int(cut.keep));
     line.order->setVisible(several);
-    line.keep->setVisible(several);
     line.offset->show(cut.offset);
     line.offset->setVisible(offset);
     showCutLength(*line.length, cut);

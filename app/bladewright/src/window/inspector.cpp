@@ -311,12 +311,17 @@ void Inspector::makeBlock() {
   gridFields_ = new GridFields(bench_, gridColumn_, this);
   togetherColumn_ = column->addWide(new FormColumn);
   togetherColumn_->addHeading(tr("After all of its cuts"));
+  const auto solid = [this]() -> const geometry::Part* {
+    const pipeline::BlockEvaluation* shown = block();
+    const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
+    return part && part->solid ? &*part->solid : nullptr;
+  };
+  const auto volume = [](double mm3) { return shortNumber(mm3 * 1e-9) + " m³"; };
   addValue(togetherColumn_, tr("Foam left"), tr("What is left of the block, once the hand has rested"),
-           [this] {
-             const pipeline::BlockEvaluation* shown = block();
-             const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
-             return part && part->solid ? shortNumber(part->solid->volume() * 1e-9) + " m³" : QString();
-           });
+           [solid, volume] { return solid() ? volume(solid()->volume()) : QString(); });
+  addValue(togetherColumn_, tr("Foam removed"), tr("What the cuts take of the block"), [solid, volume] {
+    return solid() ? volume(solid()->blockVolume() - solid()->volume()) : QString();
+  });
   const auto worst = [this]() -> const Crease* {
     const pipeline::BlockEvaluation* shown = block();
     if (!shown || !shown->together.value || shown->together.value->creases.empty()) return nullptr;
@@ -327,6 +332,8 @@ void Inspector::makeBlock() {
       tr("The farthest that an edge in which two cuts meet lies from that of the surfaces designed"),
       [worst] { return worst() ? lengthText(worst()->offMax) : QString(); },
       [this, worst] { return worst() && worst()->offMax > bench_.shown()->design.process.tolerance; });
+  addValue(togetherColumn_, tr("On the mean"), tr("That edge, along its length"),
+           [worst] { return worst() ? lengthText(worst()->offMean) : QString(); });
 }
 
 void Inspector::makeBlade() {

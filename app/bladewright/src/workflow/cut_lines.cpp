@@ -59,10 +59,9 @@ void CutLines::refresh() {
   turn_->show(cut.pose.quarters);
   showOrder(*order_, bench_, cut);
   keep_->show(int(cut.keep));
-  // Of a single cut there is no order, and what stays is below it; several take no offset, but what one has
-  // all the same can be taken away.
+  // Of a single cut there is no order; several take no offset, but what one has all the same can be taken
+  // away.
   setLineVisible(order_, beside > 1);
-  setLineVisible(keep_, beside > 1);
   setLineVisible(offset_, beside == 1 || cut.offset != 0);
   offset_->show(cut.offset);
   showCutLength(*length_, cut);

@@ -112,11 +112,15 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   });
   up_ = new DirectionLines(
       bench_, column,
-      {tr("Up"), tr("The way up in the frame of the file: weight pulls against it"), tr("Up %1"), false},
-      [this] { return DirectionLines::Value(bench_.design().process.up); },
-      [] { return std::string("/process/up"); }, [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
+      {tr("Up"),
+       tr("Against which weight pulls: automatic, the top of each block as it lies; else a way in the frame "
+          "of "
+          "the file"),
+       tr("Up %1")},
+      [this] { return bench_.design().process.up; }, [] { return std::string("/process/up"); },
+      [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
       [this](const DirectionLines::Value& up) {
-        bench_.editDesign(tr("Turn up"), [&](Design& design) { design.process.up = *up; });
+        bench_.editDesign(tr("Turn up"), [&](Design& design) { design.process.up = up; });
       },
       this);
 }

@@ -34,6 +34,7 @@ struct DrawnCut {
   std::size_t stations = 0;
   double cuttingTime = 0;                        ///< s, with the leads, without entry and exit
   double runTime = 0;                            ///< s, with these
+  std::string keeps = {};                        ///< "below": foam that stays, seen from the surface
   std::string folder = {};                       ///< of its program; empty where there is none
   std::optional<double> removed = std::nullopt;  ///< mm³; empty where it is not known
 };

@@ -94,6 +94,9 @@ enum class Join {
 /// Their words in files, by value.
 inline constexpr std::array<const char*, 2> kJoins = {"none", "tangent-planes"};
 
+/// The word of files for a way up that is left to the blocks.
+inline constexpr const char* kUpOfBlock = "block";
+
 /// How blades are found, driven and judged.
 struct Process {
   FitOptions::Length fitLength = FitOptions::Length::free;
@@ -118,7 +121,9 @@ struct Process {
   Join join = Join::tangentPlanes;
   double jointGap = 0.1;  ///< mm between the surfaces of neighbouring blocks at their boundary, and
   double jointKink = 1;   ///< degrees between these there, that are allowed
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< not zero, in the file's frame
+  /// Against which weight pulls: not zero, in the file's frame; empty: the way to the top of each block, as it
+  /// lies.
+  std::optional<Eigen::Vector3d> up = std::nullopt;
   bool operator==(const Process&) const = default;
 };
 
