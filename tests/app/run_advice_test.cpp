@@ -57,7 +57,7 @@ std::string toldOf(const Evaluation& e) {
 
 /// Its sections turn over within a few mm of travel, between two stations.
 Piece turningOver(const std::string& length) {
-  return {"250+13.1*((y-539)/sqrt((y-539)^2+10^2))*((x-300)/300)^3+0.7*(1-((x-300)/300)^2)",
+  return {"250+13.6*((y-539)/sqrt((y-539)^2+10^2))*((x-300)/300)^3+0.7*(1-((x-300)/300)^2)",
           24,
           R"({"preset": "nicr-flat-5x1", "width": 10, "thickness": 0.6, "young_modulus": 200000,
               "yield_stress": 900, "density": 7850, "temperature": 20, "length": )" +

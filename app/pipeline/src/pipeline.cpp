@@ -714,7 +714,7 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         if (context.stopped()) return false;
       }
       if (stages.run.value && !stages.barriers.value) return seeBarriers(work, none).has_value();
-      if (&stages == mostUnevenCut(e) && !stages.speeds.value)
+      if (&stages == mostUnevenCut(e) && !stages.speeds.value && !failsAnyhow(stages))
         return seekSpeeds(e, nullptr, none, context).has_value();
       const BladeLengths* lengths = stages.lengths.value.get();
       if (!lengths || (lengths->best && !lengths->designed && lengthFails(stages)))

@@ -176,20 +176,23 @@ class BesideCost : public ceres::SizedCostFunction<6, 6> {
   Smoothness smoothness_;
 };
 
-/// Ends with a step that goes as far as it will and brings next to nothing. Ceres itself would look at one
-/// more, and not take it. In a bent valley, where steps are shortened, many bring as little.
+/// Ends with a step that goes as far as it will and brings little, if the next ones, going on so, bring next
+/// to nothing. Ceres itself would look at one more, and not take it. In a bent valley many bring as little.
 class Enough : public ceres::IterationCallback {
  public:
   explicit Enough(double radius) : radius_(radius) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-    constexpr double kLittle = 2e-3;  // of the sum of squares
-    const bool little = step.iteration > 0 && step.step_is_successful &&
-                        step.trust_region_radius >= radius_ && step.cost_change <= kLittle * step.cost;
+    constexpr double kLittle = 2e-3, kLeft = 1e-3;  // of the sum of squares
+    if (step.iteration == 0 || !step.step_is_successful) return ceres::SOLVER_CONTINUE;
+    const double change = step.cost_change, ratio = change / std::exchange(before_, change);
+    const bool little = step.trust_region_radius >= radius_ && change <= kLittle * step.cost && ratio < 1 &&
+                        change * ratio / (1 - ratio) <= kLeft * step.cost;
     return little ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  double radius_;  ///< to which steps are free at first
+  double radius_;      ///< to which steps are free at first
+  double before_ = 0;  ///< what the step before brought; nothing is told by a first one
 };
 
 }  // namespace
@@ -293,7 +296,7 @@ void RowProblem::settle() {
   options.max_num_iterations = options.max_num_consecutive_invalid_steps = kIterations;
   options.function_tolerance = kSettled;
   Enough enough(options.initial_trust_region_radius);
-  options.callbacks.push_back(&enough);
+  if (stations_.size() > 1) options.callbacks.push_back(&enough);
   ceres::Solver::Summary summary;
   solving_ = first_ = true;
   ceres::Solve(options, &problem_, &summary);

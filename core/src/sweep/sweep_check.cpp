@@ -104,7 +104,7 @@ std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const
         coarse[k] = farthest;
       }
       // Where the slack is not much more than the error neither law tells it all.
-      constexpr double kLittle = 10;  // errors
+      constexpr double kLittle = 4;  // errors
       if (slack < kLittle * error) {
         const std::vector<double> seen = movedWithGripsOff(*blade, sweep.request.blade.flexuralRigidity(),
                                                            chord.normalized(), arcs, request);

@@ -113,9 +113,8 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   up_ = new DirectionLines(
       bench_, column,
       {tr("Up"),
-       tr("Against which weight pulls: automatic, the top of each block as it lies; else a way in the frame "
-          "of "
-          "the file"),
+       tr("Against which weight pulls: automatic, to the top of each block as it lies; else a way in the "
+          "frame of the file"),
        tr("Up %1")},
       [this] { return bench_.design().process.up; }, [] { return std::string("/process/up"); },
       [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
