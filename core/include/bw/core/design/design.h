@@ -121,8 +121,8 @@ struct Process {
   Join join = Join::tangentPlanes;
   double jointGap = 0.1;  ///< mm between the surfaces of neighbouring blocks at their boundary, and
   double jointKink = 1;   ///< degrees between these there, that are allowed
-  /// Against which weight pulls: not zero, in the file's frame; empty: the way to the top of each block, as it
-  /// lies.
+  /// Against which weight pulls: not zero, in the file's frame; empty: the way to the top of each block, as
+  /// it lies.
   std::optional<Eigen::Vector3d> up = std::nullopt;
   bool operator==(const Process&) const = default;
 };
