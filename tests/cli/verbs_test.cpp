@@ -656,7 +656,8 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
   EXPECT_EQ(taken["blade"]["lengths"]["best_computed"], true);
   EXPECT_GT(taken["blade"]["lengths"]["stations_tried"], 10);
   EXPECT_EQ(blade({"simulate", folder / "out"}).status, 0);
-  EXPECT_NEAR(lost["strips"][0]["stations"][14]["energy_ratio"], 22.47 / 11.36, 0.05);
+  // N mm of the two shapes that a fine chain between the same grips rests in.
+  EXPECT_NEAR(lost["strips"][0]["stations"][14]["energy_ratio"], 22.344 / 11.523, 0.005);
   // One that is too weak in any length is told, and gets no program.
   const Finished longer = tried(R"("blade": {"preset": "nicr-flat-5x1", "thickness": 0.5, "length": 1000})");
   EXPECT_EQ(longer.status, 1);
