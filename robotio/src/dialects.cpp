@@ -43,12 +43,14 @@ constexpr std::array kJsonFiles = {"motion.json"};
 constexpr std::array<Dialect, 3> kDialects = {
     {{"rapid", kRapidFiles, rapidText, readRapid, checkRapid, readRapidPlan, ownRapid},
      {"csv", kCsvFiles,
-      [](const Motion& motion, const Cell&, const ProgramNotes&, Findings*) { return writeCsv(motion); },
+      [](const Motion& motion, const Cell&, const ProgramNotes& notes, Findings*) {
+        return writeCsv(motion, notes);
+      },
       readFirst<readCsv>, nullptr, nullptr,
       [](const Program& heads) { return thatHold(heads, "time_s,station,"); }},
      {"json", kJsonFiles,
-      [](const Motion& motion, const Cell& cell, const ProgramNotes&, Findings*) {
-        return writeJson(motion, cell);
+      [](const Motion& motion, const Cell& cell, const ProgramNotes& notes, Findings*) {
+        return writeJson(motion, cell, notes);
       },
       readFirst<readJson>, nullptr, nullptr,
       [](const Program& heads) { return thatHold(heads, "\"bladewright-motion\""); }}}};

@@ -61,7 +61,7 @@ TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
   openBlock("ripple-along");
   const Design before = bench().design();
   const std::size_t poles = std::size_t(window().surfaceHandles().count());
-  EXPECT_EQ(handles().points.size(), poles + 9);
+  EXPECT_EQ(handles().points.size(), poles + 14);
   const Box was = placementOf(bench())->box();
   hover(handle(BlockPart::right));
   EXPECT_EQ(handles().text.find("Right face: size X "), 0u) << handles().text;
@@ -226,7 +226,7 @@ TEST_F(BlockHandlesTest, EveryFaceAndTheRingTakeExpressions) {
   // The ring turns the block about its middle.
   ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
   const Eigen::Vector3d middle = box().center();
-  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turn));
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turnZ));
   type("=turn");
   EXPECT_NEAR(bench().block().placement->rotation.z(), 12 * kDegree, 1e-12);
   EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
@@ -274,16 +274,16 @@ TEST_F(BlockHandlesTest, TheRingTurnsTheBlockAboutItsMiddle) {
   const Box was = placementOf(bench())->box();
   const Eigen::Vector3d middle = was.center();
   const auto turned = [&](double degrees) {
-    const Eigen::Vector3d from = place(BlockPart::turn) - middle;
+    const Eigen::Vector3d from = place(BlockPart::turnZ) - middle;
     return Eigen::Vector3d(middle + Eigen::AngleAxisd(fromDegrees(degrees), was.frame.normal) * from);
   };
-  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turn, turned(27)));
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turnZ, turned(27)));
   EXPECT_NEAR(toDegrees(bench().block().placement->rotation.z()), 30, 1e-9) << "steps of 15°";
   EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
   picture("block-handles-turned");
   press(Qt::Key_Escape);
   release();
-  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turn, turned(-7), Qt::ControlModifier));
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turnZ, turned(-7), Qt::ControlModifier));
   release();
   const double fine = toDegrees(bench().block().placement->rotation.z());
   EXPECT_NEAR(fine, -7, 2.1);
@@ -291,6 +291,117 @@ TEST_F(BlockHandlesTest, TheRingTurnsTheBlockAboutItsMiddle) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   EXPECT_EQ(bench().document().undoStack().undoText(), "Rotate block");
+}
+
+TEST_F(BlockHandlesTest, RingsOfAllThreeAxesTurnItAboutItsMiddle) {
+  openBlock("ripple-along");
+  const Box was = placementOf(bench())->box();
+  const Eigen::Vector3d middle = was.center();
+  picture("block-handles-rings");
+  const auto turned = [&](BlockPart part, const Eigen::Vector3d& axis, double degrees) {
+    return Eigen::Vector3d(middle + Eigen::AngleAxisd(fromDegrees(degrees), axis) * (place(part) - middle));
+  };
+  hover(handle(BlockPart::turnX));
+  EXPECT_EQ(handles().text, "Rotation X: 0°");
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::turnX, turned(BlockPart::turnX, Eigen::Vector3d::UnitX(), 16), Qt::ControlModifier));
+  const double x = toDegrees(bench().block().placement->rotation.x());
+  EXPECT_NEAR(x, 16, 2.1);
+  EXPECT_NEAR(x, std::round(x), 1e-9);
+  EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
+  picture("block-handles-ring-x");
+  release();
+  ASSERT_TRUE(settle());
+  // The next turns about the axis that the first has turned.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  const Eigen::Vector3d next(0, std::cos(fromDegrees(x)), std::sin(fromDegrees(x)));
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turnY, turned(BlockPart::turnY, next, -14)));
+  EXPECT_NEAR(toDegrees(bench().block().placement->rotation.y()), -15, 1e-9);
+  EXPECT_NEAR(toDegrees(bench().block().placement->rotation.x()), x, 1e-9);
+  EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
+  release();
+  ASSERT_TRUE(settle());
+  // Typed as an expression, each keeps the middle when its variable changes.
+  bench().editDesign("Variable", [](Design& design) { design.variables.push_back({"tilt", 5, -40, 40}); });
+  ASSERT_TRUE(settle());
+  for (const BlockPart part : {BlockPart::turnX, BlockPart::turnY}) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, on(part));
+    type("=tilt");
+    const Box bound = withVariables(bench().design(), {{"tilt", -20}}).value().block().placement->box();
+    EXPECT_NEAR((bound.center() - middle).norm(), 0, 1e-9);
+    const Eigen::Index axis = part == BlockPart::turnX ? 0 : 1;
+    EXPECT_NEAR(bench().block().placement->rotation[axis], 5 * kDegree, 1e-12);
+    bench().document().undoStack().undo();  // they would both hang on it
+    ASSERT_TRUE(settle());
+  }
+}
+
+TEST_F(BlockHandlesTest, AMiddleThatAnExpressionKeepsIsKeptWhereTheBlockIsPulledAfterwards) {
+  openBlock("ripple-along");
+  bench().editDesign("Variable", [](Design& design) { design.variables.push_back({"tilt", 10, -40, 40}); });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turnZ));
+  type("=tilt");
+  const auto wanders = [&] {
+    const Box bound = withVariables(bench().design(), {{"tilt", -20}}).value().block().placement->box();
+    return (bound.center() - box().center()).norm();
+  };
+  EXPECT_NEAR(wanders(), 0, 1e-9);
+  // Keys, another ring, a spoke and a face.
+  for (const BlockPart part : {BlockPart::turnX, BlockPart::moveY, BlockPart::left}) {
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, on(part));
+    const Box before = box();
+    press(Qt::Key_Up);
+    EXPECT_NE(box(), before);
+    EXPECT_NEAR(wanders(), 0, 1e-9) << int(part);
+    EXPECT_TRUE(bench().design().bindings.contains("/stock/0/block/rotation_deg/2"));
+  }
+  // Two that turn it at once keep no middle: the corner stays.
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turnX));
+  type("=tilt/2");
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::moveZ));
+  press(Qt::Key_Up);
+  const Box bound = withVariables(bench().design(), {{"tilt", -20}}).value().block().placement->box();
+  EXPECT_EQ(bound.frame.origin, box().frame.origin);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(BlockHandlesTest, SpokesMoveItsCorner) {
+  openBlock("ripple-along");
+  const Box was = placementOf(bench())->box();
+  hover(handle(BlockPart::moveX));
+  EXPECT_EQ(handles().text.substr(0, 10), "Corner X: ") << handles().text;
+  for (const auto& [part, way] :
+       {std::pair{BlockPart::moveX, 21.3}, {BlockPart::moveY, -12.2}, {BlockPart::moveZ, 7.7}}) {
+    const int axis = int(part) - int(BlockPart::moveX);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+    ASSERT_NO_FATAL_FAILURE(pull(part, place(part) + way * Eigen::Vector3d::Unit(axis)));
+    EXPECT_NEAR(box().frame.origin[axis] - was.frame.origin[axis], way, 2.1);
+    EXPECT_NEAR(box().frame.origin[axis], std::round(box().frame.origin[axis]), 1e-9) << "whole millimetres";
+    EXPECT_EQ(box().size, was.size);
+    if (part == BlockPart::moveX) picture("block-handles-moved");
+    release();
+    EXPECT_EQ(bench().document().undoStack().undoText(), "Move block");
+    ASSERT_TRUE(settle());
+  }
+  // Esc gives it up; numbers are typed; a face comes in line with an end of the surface.
+  const Design before = bench().design();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::moveY, place(BlockPart::moveY) + 40 * Eigen::Vector3d::UnitY()));
+  ASSERT_NE(bench().design(), before);
+  press(Qt::Key_Escape);
+  release();
+  EXPECT_EQ(bench().design(), before);
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::moveY));
+  type("-3,5");
+  EXPECT_EQ(box().frame.origin.y(), -3.5);
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(BlockHandlesTest, TheArrowTurnsTheCuttingDirection) {

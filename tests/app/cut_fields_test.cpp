@@ -3,6 +3,8 @@
 //
 // Several cuts of a block in the window: which one is at work, how the block lies for it, what is left.
 
+#include <QCheckBox>
+
 #include "bw/pipeline/scene_content.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
@@ -120,6 +122,37 @@ TEST_F(CutFieldsTest, ACutHasABladeOfItsOwnLength) {
               !bench().design().bindings.contains("/cuts/1/blade_length"));
   bench().document().undoStack().setIndex(0);
   EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(CutFieldsTest, WhatASingleCutLeavesIsKnownWhenTheHandRests) {
+  ASSERT_TRUE(window().openExample("ripple-along"));
+  ASSERT_TRUE(settleInFull());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return block().part.value != nullptr; }, kPatience));
+  ASSERT_TRUE(block().part.value && block().part.value->solid);
+  const double left = block().part.value->solid->volume();
+  EXPECT_GT(left, 0.2 * block().part.value->solid->blockVolume());
+  EXPECT_LT(left, 0.9 * block().part.value->solid->blockVolume());
+  const scene::Content content = pipeline::sceneContent(*bench().shown());
+  ASSERT_TRUE(content.first<scene::FoamPart>());
+  EXPECT_TRUE(content.first<scene::FoamPart>()->ofOneCut);
+  // It stands in the inspector, and in the picture where it is asked for.
+  bench().select({Selection::Kind::block, -1, bench().design().stock[0].id, bench().design().cuts[0].id});
+  QTest::qWait(50);
+  picture("cut-single-part-numbers");
+  QCheckBox* shows = nullptr;
+  for (QCheckBox* box : window().findChildren<QCheckBox*>())
+    if (box->text() == "Part of a single cut") shows = box;
+  ASSERT_TRUE(shows);
+  EXPECT_FALSE(shows->isChecked());
+  shows->click();
+  EXPECT_TRUE(window().mapBar().style().partsOfOneCut);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().sceneView().resting(); }, kPatience));
+  picture("cut-single-part");
+  // What does not change the blades lets it stand.
+  const auto was = block().part.value;
+  bench().editDesign("Limit", [](Design& design) { design.process.jointGap = 0.2; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(block().part.value, was);
 }
 
 TEST_F(CutFieldsTest, WhatIsLeftIsSeenWhenTheHandRests) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The tree of objects: what is shown, what is locked, and how it is called.
+#include "bw/core/design/grid_change.h"
 #include "bw/core/design/surface_curves.h"
 #include "bw/core/design/variables.h"
 #include "controls/fields.h"
@@ -57,19 +58,44 @@ class ObjectTreeTest : public WindowTest {
   }
 };
 
-TEST_F(ObjectTreeTest, BlocksOfAGridSayWhyTheyHaveNoOtherName) {
-  ASSERT_TRUE(window().openExample("three-block-wall"));
-  ASSERT_TRUE(bench().design().grid);
-  QTreeWidgetItem* block = line(Kind::block, "column-1");
-  ASSERT_TRUE(block);
-  click(block, ObjectTree::name);
-  QTest::keyClick(&tree(), Qt::Key_F2);
-  EXPECT_FALSE(tree().viewport()->findChild<QLineEdit*>()) << "no field that is refused afterwards";
-  EXPECT_TRUE(window().banner().text().contains("from their place"));
-  // Their surface has.
-  click(line(Kind::surface, bench().design().sources[0].id), ObjectTree::name);
-  QTest::keyClick(&tree(), Qt::Key_F2);
-  EXPECT_TRUE(tree().viewport()->findChild<QLineEdit*>());
+TEST_F(ObjectTreeTest, BlocksOfAGridAndTheirCutsAreRenamed) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  const Design before = bench().design();
+  ASSERT_TRUE(before.grid);
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "column-2"), "A2"));
+  ASSERT_TRUE(line(Kind::block, "A2"));
+  EXPECT_TRUE(line(Kind::cut, "cut-A2")) << "its cut is called after it";
+  EXPECT_EQ(bench().design().grid->names, (std::map<std::string, std::string>{{"column-2", "A2"}}));
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::cut, "cut-A2"), "roof"));
+  for (const char* cut : {"roof-column-1", "roof-A2", "roof-column-3"})
+    EXPECT_TRUE(line(Kind::cut, cut)) << cut;
+  EXPECT_EQ(bench().selection().cut, "roof-A2");
+  EXPECT_EQ(bench().selection().block, "A2");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("objects-renamed-in-grid");
+  const fs::path file = path("named-wall.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  const Design saved = loadDesign(file).value();
+  EXPECT_TRUE(saved.grid) << "it is still told by the grid";
+  EXPECT_EQ(saved.stock, bench().design().stock);
+  EXPECT_EQ(saved.cuts, bench().design().cuts);
+  // Another block may not be called so; its place is its name again.
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "column-3"), "A2"));
+  EXPECT_TRUE(line(Kind::block, "column-3"));
+  // More columns keep it, fewer take it away.
+  bench().editDesign("Columns", [](Design& design) {
+    design = withGrid(design, *design.grid, withCount(*design.grid, 0, 4, false), "column-1").value();
+  });
+  EXPECT_TRUE(line(Kind::block, "A2"));
+  bench().editDesign("Columns", [](Design& design) {
+    design = withGrid(design, *design.grid, withCount(*design.grid, 0, 1, false), "column-1").value();
+  });
+  EXPECT_FALSE(line(Kind::block, "A2"));
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_TRUE(line(Kind::block, "column-2"));
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(ObjectTreeTest, ListsBlocksCutsSurfacesCurvesAndStations) {
@@ -265,6 +291,36 @@ TEST_F(ObjectTreeTest, WhatIsHiddenAndLockedIsSavedWithTheDesign) {
   // The same example again is seen whole, in the tree too.
   ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
   EXPECT_TRUE(line(Kind::cut, "north")->toolTip(ObjectTree::seen).contains("shown"));
+}
+
+TEST_F(ObjectTreeTest, LockedStationsKeepTheirNumber) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::stations, "east"), ObjectTree::kept));
+  EXPECT_TRUE(bench().locked({Kind::stations, "east"}));
+  EXPECT_TRUE(line(Kind::stations, "east")->toolTip(ObjectTree::kept).contains("locked"));
+  const Design before = bench().design();
+  const auto take = [&](const std::string& id, int stations) {
+    bench().editDesign("Stations", [&](Design& design) {
+      std::ranges::find(design.cuts, id, &Cut::id)->sections.stations = stations;
+    });
+  };
+  take("east", 9);
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_FALSE(window().banner().notices().empty());
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: stations of east stay as they are"))
+      << window().banner().text().toStdString();
+  // The surface that they lie on, and the stations of other cuts, may be changed.
+  take("north", 9);
+  EXPECT_NE(bench().design(), before);
+  bench().editDesign("Tilt", [](Design& design) { design.cuts[0].offset = 1; });
+  EXPECT_EQ(bench().design().cuts[0].offset, 1);
+  const std::filesystem::path file = path("stations.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  EXPECT_EQ(loadDesign(file).value().marks.locked.stations, std::set<std::string>{"east"});
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::stations, "east"), ObjectTree::kept));
+  take("east", 9);
+  EXPECT_EQ(std::ranges::find(bench().design().cuts, "east", &Cut::id)->sections.stations, 9);
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {

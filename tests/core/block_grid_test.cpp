@@ -55,6 +55,28 @@ TEST(BlockGrid, LaysBlocksOut) {
   EXPECT_LT((grid.cells()[1].placement.origin - Vector3d(100, 610, -50)).norm(), 1e-9);
 }
 
+TEST(BlockGrid, CallsBlocksByTheirNames) {
+  const Design design =
+      read(withGrid(R"({"columns": 3, "names": {"column-2": "A2"}})",
+                    R"(, "cuts": [{"id": "cut"}, {"id": "cut-A2", "block": "A2", "stations": 9}])"));
+  ASSERT_EQ(design.stock.size(), 3u);
+  EXPECT_EQ(design.stock[1].id, "A2");
+  EXPECT_EQ(design.cuts[1].id, "cut-A2");
+  EXPECT_EQ(design.cuts[1].sections.stations, 9);
+  EXPECT_EQ(read(designToJson(design)), design);
+  refused(withGrid(R"({"columns": 3, "names": {"column-4": "A4"}})"), {"column-4", "none of that place"});
+  refused(withGrid(R"({"columns": 3, "names": {"column-1": "A", "column-2": "A"}})"), {"\"A\"", "its own"});
+  refused(withGrid(R"({"columns": 3, "names": {"column-1": "column-3"}})"), {"column-3", "its own"});
+  refused(withGrid(R"({"columns": 3, "names": {"column-1": "a/b"}})"), {"names.column-1", "none of /"});
+  refused(withGrid(R"({"columns": 3, "names": {"column-1": "A "}})"), {"no blank at its ends"});
+  refused(withGrid(R"({"columns": 2, "names": {"column-1": "A-b", "column-2": "b"}})",
+                   R"(, "cuts": [{"id": "cut"}, {"id": "cut-A"}])"),
+          {"cut-A-b", "otherwise"});
+  refused(withGrid(R"({"columns": 3, "names": {"column-1": 1}})"), {"must be a text"});
+  refused(withGrid(R"({"columns": 3, "names": ["A"]})"), {"by the places of blocks"});
+  refused(withGrid(R"({"columns": 3}, "cuts": [{"block": "A2"}])"), {"A2"});
+}
+
 TEST(BlockGrid, IsReadWithOneCutForEachBlock) {
   const Design design =
       read(withGrid(R"({"columns": 3, "sizes": {"columns": ["=width", 500, "=width"], "layers": 400}})",

@@ -54,21 +54,35 @@ TEST(CutList, OfAFileItIsOfTheSameFile) {
   EXPECT_NE(another->id, "cut-2") << "that name is taken";
 }
 
-TEST(CutList, UnderAGridEachBlockGetsOne) {
+TEST(CutList, UnderAGridASurfaceOfItsOwnIsOfOneBlock) {
   const Design design = designOf(R"({"bladewright_design": 2,
     "sources": [{"surface": {"type": "formula", "formula": "100"}}],
     "grid": {"columns": 3}, "cuts": [{"id": "cut", "stations": 9}]})");
   const Result<AnotherCut> another = withAnotherCut(design, design.cuts[1], placed());
   ASSERT_TRUE(another);
-  EXPECT_EQ(another->design.cuts.size(), 6u);
+  EXPECT_EQ(another->design.cuts.size(), 4u);
   EXPECT_EQ(another->id, "cut2-column-2");
-  EXPECT_TRUE(std::ranges::find(another->design.cuts, another->id, &Cut::id) != another->design.cuts.end());
-  EXPECT_EQ(*parseDesign(designToJson(another->design)), another->design) << "a file tells it by the grid";
-  // With it go those of the other blocks, and their surface.
   const auto made = std::ranges::find(another->design.cuts, another->id, &Cut::id);
+  ASSERT_TRUE(made != another->design.cuts.end());
+  EXPECT_EQ(made->block, "column-2");
+  EXPECT_EQ(*parseDesign(designToJson(another->design)), another->design) << "a file tells it by the grid";
+  // With it goes its surface.
   ASSERT_TRUE(mayGo(another->design, *made));
   EXPECT_EQ(withoutCut(another->design, *made), design);
   EXPECT_FALSE(mayGo(design, design.cuts[1]));
+}
+
+TEST(CutList, UnderAGridEachBlockGetsOneOfAFile) {
+  const Design design = designOf(R"({"bladewright_design": 2, "sources": [{"path": "hall.step"}],
+    "grid": {"columns": 3}, "cuts": [{"id": "cut", "stations": 9}]})");
+  const Result<AnotherCut> another = withAnotherCut(design, design.cuts[1], placed());
+  ASSERT_TRUE(another);
+  EXPECT_EQ(another->design.cuts.size(), 6u);
+  EXPECT_EQ(another->id, "cut2-column-2");
+  EXPECT_EQ(*parseDesign(designToJson(another->design)), another->design);
+  const auto made = std::ranges::find(another->design.cuts, another->id, &Cut::id);
+  ASSERT_TRUE(mayGo(another->design, *made));
+  EXPECT_EQ(withoutCut(another->design, *made), design) << "those of the other blocks go with it";
 }
 
 TEST(CutList, UnderAGridExpressionsStayWithTheirCuts) {
@@ -85,6 +99,7 @@ TEST(CutList, UnderAGridExpressionsStayWithTheirCuts) {
   };
   const Result<AnotherCut> another = withAnotherCut(design, design.cuts[0], placed());
   ASSERT_TRUE(another);
+  EXPECT_EQ(another->design.cuts.size(), design.cuts.size() + 1);
   EXPECT_EQ(stations(another->design, "cut-column-1"), 20);
   EXPECT_EQ(stations(another->design, "more-column-1"), 21);
   EXPECT_EQ(stations(another->design, "cut-column-2"), 22);

@@ -9,6 +9,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/design.h"
+#include "bw/core/design/variables.h"
 
 namespace bw {
 
@@ -241,6 +242,20 @@ TEST(Job, TakesBothGripErrorsAtOnce) {
   EXPECT_FALSE(parseJob(R"({"grip_error": {"rad": 0.1}})"));
   EXPECT_FALSE(parseJob(R"({"grip_error": {"mm": -1}})"));
   EXPECT_FALSE(parseJob(R"({"grip_error": [0.3, 0.1]})"));
+}
+
+TEST(Design, KeepsExpressionsOfGripErrorsToldAtOnce) {
+  const Result<Design> design = parseDesign(R"({"bladewright_design": 2,
+    "variables": [{"name": "play", "value": 0.4, "min": 0, "max": 2}],
+    "sources": [{"surface": {"type": "formula", "formula": "100"}}],
+    "process": {"grip_error": {"mm": "=play", "deg": "=play/2"}}})");
+  ASSERT_TRUE(design) << design.error().message;
+  EXPECT_EQ(design->process.gripError, 0.4);
+  EXPECT_EQ(design->process.gripAngle, 0.2);
+  const Result<Design> changed = withVariables(*parseDesign(designToJson(*design)), {{"play", 1.2}});
+  ASSERT_TRUE(changed) << changed.error().message;
+  EXPECT_EQ(changed->process.gripError, 1.2);
+  EXPECT_EQ(changed->process.gripAngle, 0.6);
 }
 
 TEST(Design, RefusesNewerVersionsAndOtherFiles) {

@@ -83,7 +83,8 @@ TEST(PartMarks, ThatCannotBeAreRefused) {
   EXPECT_EQ(errorWith(wall(), "hidden", {{"stock", "column-2"}}),
             "design.hidden.stock must be a list of ids");
   EXPECT_EQ(errorWith(wall(), "locked", {{"sources", {7}}}), "design.locked.sources must be a list of ids");
-  EXPECT_NE(errorWith(wall(), "locked", {{"stations", {"c-column-1"}}}).find("stations"), std::string::npos);
+  EXPECT_NE(errorWith(wall(), "locked", {{"stations", {"c-column-9"}}}).find("no cut of that id"),
+            std::string::npos);
   EXPECT_NE(errorWith(wall(), "hidden", {{"cut", json::array()}}).find("did you mean \"cuts\""),
             std::string::npos);
   EXPECT_NE(errorWith(wall(), "hiden", json::object()).find("did you mean \"hidden\""), std::string::npos);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "bw/robotio/text/program_text.h"
 #include "sample.h"
 
@@ -94,6 +96,27 @@ TEST(MotionJson, AnOlderTextIsReadAndLacksTheWaysOnlyWhereAProgramIsMade) {
   Cell at = sample::cell();
   at.approach = 0;
   EXPECT_TRUE(planProgram(*read, at)) << "nothing is travelled outside of the motion";
+}
+
+TEST(MotionText, OfADesignWithErrorsIsMarked) {
+  const Motion motion = sample::motion(5);
+  ProgramNotes notes;
+  for (int i = 1; i <= 7; ++i)
+    notes.errors.push_back("error " + std::to_string(i) + ":\nthe blade \"snaps\" " + std::string(300, 'x'));
+  const std::string csv = writeCsv(motion, notes)->front().bytes;
+  EXPECT_EQ(csv.substr(0, 34), "# NOT SAFE TO RUN: error 1:\\nthe b");
+  EXPECT_NE(csv.find("\n# NOT SAFE TO RUN: 2 more errors\ntime_s,station,"), std::string::npos);
+  EXPECT_LT(csv.find("time_s"), 2000u) << "near enough to the beginning to be known by it";
+  const Result<Motion> read = readCsv(csv);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(writeCsv(*read)->front().bytes, writeCsv(motion)->front().bytes);
+  EXPECT_FALSE(readCsv("# NOT SAFE TO RUN: all of it"));
+  EXPECT_FALSE(readCsv("#\n#"));
+  const std::string json = writeJson(motion, sample::cell(), notes)->front().bytes;
+  EXPECT_EQ(nlohmann::json::parse(json)["not_safe_to_run"].size(), 7u);
+  EXPECT_EQ(nlohmann::json::parse(json)["not_safe_to_run"][0], notes.errors[0]);
+  ASSERT_TRUE(readJson(json)) << readJson(json).error().message;
+  EXPECT_EQ(writeJson(motion, sample::cell())->front().bytes.find("not_safe_to_run"), std::string::npos);
 }
 
 TEST(MotionCsv, HeaderNamesColumnsWithUnits) {

@@ -236,7 +236,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   actors_.update(style, perMillimetre, pixel, behind, draft_);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
-  legend_.update(width, height, style, legendMap, contentVersion_);
+  legend_.update(width, height, style, legendMap, content.covered, contentVersion_);
   overlay = {};
   overlay.legend = legend_.card();
   overlay.bar = legend_.bar();

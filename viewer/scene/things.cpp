@@ -180,8 +180,7 @@ Things::Things(Content& content) {
     if (const auto* box = std::get_if<Box>(&item.data)) stockOf(*this, item.id.block).box = box;
     if (const auto* travel = std::get_if<Travel>(&item.data))
       stockOf(*this, item.id.block).travels[item.id.cut] = travel;
-    if (const auto* part = std::get_if<FoamPart>(&item.data))
-      stockOf(*this, item.id.block).part = &part->mesh;
+    if (const auto* part = std::get_if<FoamPart>(&item.data)) stockOf(*this, item.id.block).part = part;
     if (const auto* creases = std::get_if<Creases>(&item.data))
       stockOf(*this, item.id.block).creases[item.id] = creases;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;

@@ -51,7 +51,7 @@ struct Stock {
   ItemId id;
   const Box* box = nullptr;
   std::map<int, const Travel*> travels;      ///< of its cuts, by their number
-  const TriangleMesh* part = nullptr;        ///< what is left of it
+  const FoamPart* part = nullptr;            ///< what is left of it
   std::map<ItemId, const Creases*> creases;  ///< between its cuts
   std::vector<const Row*> rows;
   TriangleMesh cuts;              ///< of its rows together

@@ -14,6 +14,7 @@
 
 #include "bw/core/parts/crease.h"
 #include "bw/core/text/number_text.h"
+#include "bw/pipeline/overall.h"
 #include "crossings.h"
 #include "report_picture.h"
 
@@ -207,6 +208,11 @@ std::optional<scene::Content> sceneChange(const Sketch& sketch, const Sketch& be
 
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
+  if (std::ranges::any_of(evaluation.blocks, [](const BlockEvaluation& block) {
+        return std::ranges::any_of(block.cuts,
+                                   [](const CutEvaluation& cut) { return cut.result().has_value(); });
+      }))
+    content.covered = overallOf(evaluation).covered;
   std::set<const TriangleMesh*> shown;  // several cuts may be of one surface, which is drawn once
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
     const std::vector<CutEvaluation>& cuts = evaluation.blocks[std::size_t(b)].cuts;
@@ -235,7 +241,7 @@ scene::Content sceneContent(const Evaluation& evaluation) {
     for (int c = 0; c < int(block.cuts.size()); ++c)
       if (const auto& own = block.cuts[std::size_t(c)].setup)
         content.add({b, c}, scene::Travel{own->planes.direction()});
-    if (block.part.value && block.cuts.size() > 1) content.add({b}, scene::FoamPart{block.part.value->mesh});
+    if (block.part.value) content.add({b}, scene::FoamPart{block.part.value->mesh, block.cuts.size() < 2});
     if (block.together.value)
       for (const Crease& crease : block.together.value->creases)
         content.add({b, int(crease.first), int(crease.second)},

@@ -258,12 +258,26 @@ Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunC
                  return together;
                });
     if (!ok) return inBlock(e, block.id, ok);
-    // What stands of it from before goes on.
-    Inputs swept;
-    for (const CutEvaluation& cut : block.cuts) swept.push_back(cut.swept.value);
+  }
+  return {};
+}
+
+Result<void> keepParts(Evaluation& e, const Evaluation* previous) {
+  for (BlockEvaluation& block : e.blocks) {
+    const BlockEvaluation* before = blockOf(previous, block.id);
+    if (!before || !before->part.value || block.part.value || block.cuts.size() != before->cuts.size())
+      continue;
+    // What was swept is known at once where the blades are those of before.
+    const auto stays = [&](const CutEvaluation& cut) {
+      const CutEvaluation* was = previous->find(cut.id);
+      return cut.result() && was && was->swept.value && was->way.value == cut.way.value;
+    };
+    if (!std::ranges::all_of(block.cuts, stays)) continue;
+    const Result<Inputs> swept = sweepAll(block, previous, e.seconds.check);
+    if (!swept) return inBlock(e, block.id, tl::unexpected<Error>(swept.error()));
+    const Box placed = placedBox(e, block);
     const MetRequest part{placed, keptWays(e.design, block, placed), 0};
-    if (before && before->part.value && before->part.request == part && before->part.inputs == swept)
-      block.part = before->part;
+    if (before->part.request == part && before->part.inputs == *swept) block.part = before->part;
   }
   return {};
 }

@@ -20,6 +20,9 @@ Result<void> orderCuts(Evaluation& e, const Evaluation* previous, const RunConte
 /// surfaces.
 Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context);
 
+/// What was left of blocks of which neither place nor blades changed stays. Error: `cancelled`.
+Result<void> keepParts(Evaluation& e, const Evaluation* previous);
+
 /// What is left of a block all of whose cuts came to a result, as a solid. Some 0.4 s a cut. Error:
 /// `cancelled`.
 Result<void> makePart(Evaluation& e, BlockEvaluation& block, const Evaluation* previous, double& seconds,

@@ -41,6 +41,13 @@ struct Tried {
   std::vector<Section> sections = {};
 };
 
+/// The limits of a trial, of which nothing hangs on what grips that are off do.
+CheckRequest limitsOf(const FitRequest& asked) {
+  CheckRequest limits{asked.tolerance, asked.clearance};
+  limits.gripError = limits.gripAngle = 0;
+  return limits;
+}
+
 bool isUnusable(const BladePose& pose, const StationFit& fit, const StationCheck& check, const Blade& blade) {
   return fit.fit.status == FitStatus::infeasible || pose.maxCurvature() > blade.maxCurvature() ||
          check.clearance < 0;
@@ -65,8 +72,7 @@ Tried tried(const geometry::Target& target, const RowRequest& request, const geo
   weightless.weight.setZero();
   const Result<Sweep> sweep = fitSweep(*sections, weightless, block, planes, context);
   if (!sweep) return failed(sweep.error());
-  const Result<SweepCheck> check =
-      checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
+  const Result<SweepCheck> check = checkSweep(*sweep, limitsOf(request.fit), context);
   if (!check) return failed(check.error());
   trial.unusable = leftOut(*sections, sweep->poses);
   for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
@@ -95,7 +101,7 @@ void judge(Tried& one, const RowRequest& request, const RunContext& context) {
     trial.unusable = kStations;
   };
   if (!row) return failed(row.error());
-  const Result<SweepCheck> check = checkSweep(*row, {asked.tolerance, asked.clearance}, context);
+  const Result<SweepCheck> check = checkSweep(*row, limitsOf(asked), context);
   if (!check) return failed(check.error());
   trial.unusable = leftOut(one.sections, row->poses);
   trial.angleMax = 0;

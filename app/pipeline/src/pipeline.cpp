@@ -648,6 +648,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   // Rows may have become firmer ones.
   if (ok = joinAll(works, e, previous, neighbours); !ok) return stop(ok.error());
   if (ok = compareBlocks(e, previous, context); !ok) return stop(ok.error());
+  if (ok = keepParts(e, previous); !ok) return stop(ok.error());
   if (purpose == Purpose::files) {
     if (ok = makeParts(e, previous, context); !ok) return stop(ok.error());
     if (ok = runAll(works, e, context); !ok) return stop(ok.error());
@@ -670,9 +671,10 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 
 namespace {
 
-/// True for several cuts that came to a result, and of which it is not known what they leave.
+/// True where all cuts came to a result, and it is not known what they leave.
 bool wantsPart(const BlockEvaluation& block) {
-  return block.cuts.size() > 1 && block.together.value && !block.part.value;
+  return !block.part.value && (block.cuts.size() < 2 || block.together.value) &&
+         std::ranges::all_of(block.cuts, [](const CutEvaluation& cut) { return cut.result().has_value(); });
 }
 
 }  // namespace
@@ -698,7 +700,9 @@ Result<void> addRuns(Evaluation& e, const RunContext& context) {
 bool addSecondThought(Evaluation& e, const RunContext& context) {
   for (BlockEvaluation& block : e.blocks) {
     double none = 0;
-    if (wantsPart(block)) return makePart(e, block, nullptr, none, context).has_value();
+    // What several cuts leave is seen with them, what one leaves below its surface once all is checked.
+    if (block.cuts.size() > 1 && wantsPart(block))
+      return makePart(e, block, nullptr, none, context).has_value();
     for (CutEvaluation& stages : block.cuts) {
       if (!stages.result()) continue;
       const FitRequest& fit = stages.sweep.value->request;
@@ -723,6 +727,10 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         return seekClearances(work, none).has_value();
       if (!stages.margins.value) return seekMargins(work, none).has_value();
     }
+  }
+  for (BlockEvaluation& block : e.blocks) {
+    double none = 0;
+    if (wantsPart(block)) return makePart(e, block, nullptr, none, context).has_value();
   }
   return false;
 }

@@ -270,6 +270,24 @@ std::string turningText(const PlaneFamily& planes, const Box& block) {
 
 namespace {
 
+const char* besideTheCut(KeptSide side) {
+  switch (side) {
+    case KeptSide::below:
+      return "below the cut";
+    case KeptSide::above:
+      return "above the cut";
+    case KeptSide::left:
+      return "to the left of the cut";
+    case KeptSide::right:
+      return "to the right of the cut";
+    case KeptSide::front:
+      return "in front of the cut";
+    case KeptSide::back:
+      break;
+  }
+  return "behind the cut";
+}
+
 /// What is to be done with the block before the program of a strip runs.
 std::vector<std::string> stepsBefore(const Evaluation& e, const Strip& strip) {
   std::vector<std::string> steps;
@@ -290,6 +308,9 @@ std::vector<std::string> stepsBefore(const Evaluation& e, const Strip& strip) {
     steps.push_back("lay the block with " + (lies.empty() ? "its top face up, not turned" : lies) +
                     "; the work object is at its corner that then lies lowest, at the left and in front");
   }
+  const KeptSide kept = std::ranges::find(e.design.cuts, strip.cut->id, &Cut::id)->keep;
+  steps.push_back(std::string("see that what stays is the foam ") + besideTheCut(kept) +
+                  ", as the block then lies");
   return steps;
 }
 

@@ -109,6 +109,26 @@ std::vector<Cut> cutsAlike(const Design& design, const std::string& block) {
 
 }  // namespace
 
+namespace {
+
+/// Blocks keep their names where others come before them; the one that is split has none any more.
+std::map<std::string, std::string> namesAfter(const BlockGrid& before, const BlockSplit& split) {
+  std::map<std::string, std::string> names;
+  std::array<std::size_t, 3> at;
+  for (at[2] = 0; at[2] < before.sizes[2].size(); ++at[2])
+    for (at[1] = 0; at[1] < before.sizes[1].size(); ++at[1])
+      for (at[0] = 0; at[0] < before.sizes[0].size(); ++at[0]) {
+        const auto named = before.names.find(before.placeName(at));
+        if (named == before.names.end() || at[split.way] == split.place) continue;
+        std::array<std::size_t, 3> next = at;
+        if (next[split.way] > split.place) next[split.way] += split.parts() - 1;
+        names[split.grid.placeName(next)] = named->second;
+      }
+  return names;
+}
+
+}  // namespace
+
 std::optional<std::size_t> BlockSplit::partOf(const BlockPlacement& block) const {
   const std::optional<std::size_t> at = placeAlong(grid, way, block.box());
   if (!at || *at < place || *at >= place + parts()) return {};
@@ -152,6 +172,7 @@ std::vector<BlockSplit> splitsForSpeed(const BlockGrid& grid, const std::string&
       for (int part = parts; part > 0; --part)
         sizes.insert(sizes.begin() + at, places[std::size_t(part)] - places[std::size_t(part) - 1]);
       gaps.insert(gaps.begin() + at, std::size_t(parts) - 1, 0.0);
+      split.grid.names = namesAfter(grid, split);
     }
   return splits;
 }

@@ -196,6 +196,12 @@ std::string Sentences::operator()(const GripErrors& cause) const {
              : off + "may make the blade snap";
 }
 
+std::string Sentences::operator()(const PulledByGrips& cause) const {
+  return at() + "a grip that is off by " + shortText(cause.error) +
+         " mm may take up the slack of the blade (" + shortText(cause.slack, 2) +
+         " mm) and pull it, by up to " + shortText(cause.stress, 2) + " N/mm² if nothing gives way";
+}
+
 std::string Sentences::operator()(const HeldByLittle& cause) const {
   const std::string off = at() + "where a grip is off by " + shortText(cause.error) + " mm and " +
                           shortText(toDegrees(cause.angle)) + "°, ";

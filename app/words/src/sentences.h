@@ -70,6 +70,7 @@ struct Sentences {
   std::string operator()(const SectionClosed& cause) const;
   std::string operator()(const ServingLengths& cause) const;
   std::string operator()(const GripErrors& cause) const;
+  std::string operator()(const PulledByGrips& cause) const;
   std::string operator()(const HeldByLittle& cause) const;
   std::string operator()(const SectionBridged& cause) const;
   std::string operator()(const SectionExtended& cause) const;

@@ -4,6 +4,7 @@
 #include "bw/core/design/block_grid.h"
 
 #include <algorithm>
+#include <set>
 
 namespace bw {
 
@@ -20,7 +21,6 @@ std::vector<double> beginnings(const std::vector<double>& sizes, const std::vect
 }  // namespace
 
 std::vector<BlockGrid::Cell> BlockGrid::cells() const {
-  constexpr std::array kOne = {"column-", "row-", "layer-"};
   std::array<std::vector<double>, 3> places;
   for (std::size_t way = 0; way < 3; ++way) places[way] = beginnings(sizes[way], gaps[way]);
   const Eigen::Matrix3d turn = rotationFromAngles(rotation);
@@ -34,13 +34,28 @@ std::vector<BlockGrid::Cell> BlockGrid::cells() const {
         for (std::size_t way = 0; way < 3; ++way) {
           corner(Eigen::Index(way)) = places[way][index[way]];
           size(Eigen::Index(way)) = sizes[way][index[way]];
-          if (sizes[way].size() > 1)
-            cell.id += (cell.id.empty() ? "" : "-") + std::string(kOne[way]) + std::to_string(index[way] + 1);
         }
-        if (cell.id.empty()) cell.id = "block-1";
+        cell.place = placeName(index);
+        const auto named = names.find(cell.place);
+        cell.id = named == names.end() ? cell.place : named->second;
         cell.placement = {origin + turn * corner, size, rotation};
       }
   return all;
+}
+
+std::string BlockGrid::placeName(const std::array<std::size_t, 3>& index) const {
+  constexpr std::array kOne = {"column-", "row-", "layer-"};
+  std::string name;
+  for (std::size_t way = 0; way < 3; ++way)
+    if (sizes[way].size() > 1)
+      name += (name.empty() ? "" : "-") + std::string(kOne[way]) + std::to_string(index[way] + 1);
+  return name.empty() ? "block-1" : name;
+}
+
+void BlockGrid::dropNames() {
+  std::set<std::string> places;
+  for (const Cell& cell : cells()) places.insert(cell.place);
+  std::erase_if(names, [&](const auto& name) { return !places.contains(name.first); });
 }
 
 double BlockGrid::extent(std::size_t way) const {

@@ -60,7 +60,9 @@ std::vector<Cut> listed(const Design& design) { return detail::cutsUnderGrid(des
 Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const BlockPlacement& placed) {
   AnotherCut another{design, {}};
   Design& changed = another.design;
-  const std::size_t more = design.grid ? design.stock.size() : 1;
+  // A surface made for it lies over this block alone; a file may be cut in each of them.
+  const bool own = design.sourceOf(beside).surface.has_value();
+  const std::size_t more = design.grid && !own ? design.stock.size() : 1;
   if (design.cuts.size() + more > std::size_t(Design::kMostCuts))
     return fail(ErrorCode::badInput,
                 "the design has " + std::to_string(design.cuts.size()) + " cuts; there may be " +
@@ -69,7 +71,7 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
   Cut cut = beside;
   cut.face = {};
   cut.order.reset();
-  if (design.sourceOf(beside).surface) {
+  if (own) {
     if (design.sources.size() >= std::size_t(Design::kMostSources))
       return fail(ErrorCode::badInput,
                   "the design has " + std::to_string(design.sources.size()) + " sources; there may be " +
@@ -85,7 +87,7 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
     changed.cuts.push_back(std::move(cut));
     return another;
   }
-  // One of each block, by a name that no cut begins with.
+  // By a name that no cut begins with.
   for (int number = 2;; ++number) {
     cut.id = "cut" + std::to_string(number);
     const std::vector<Cut> made = cutsOf(design.stock, {cut}, {});
@@ -94,22 +96,23 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
         }))
       continue;
     another.id = cut.id + "-" + beside.block;
-    // The cuts of a grid stand block by block.
-    changed.cuts.clear();
-    for (const StockBlock& block : design.stock) {
-      std::ranges::copy_if(design.cuts, std::back_inserter(changed.cuts),
-                           [&](const Cut& one) { return one.block == block.id; });
-      changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
+    // The cuts of a grid stand block by block, those of one block alone behind them.
+    if (own) {
+      changed.cuts.push_back(*std::ranges::find(made, beside.block, &Cut::block));
+    } else {
+      changed.cuts.clear();
+      for (const StockBlock& block : design.stock) {
+        std::ranges::copy_if(design.cuts, std::back_inserter(changed.cuts),
+                             [&](const Cut& one) { return one.block == block.id; });
+        changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
+      }
     }
     detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
     return another;
   }
 }
 
-namespace {
-
-/// The cuts that go together: under a grid that of each block.
-std::vector<Cut> together(const Design& design, const Cut& cut) {
+std::vector<Cut> cutsTogether(const Design& design, const Cut& cut) {
   const std::string ofBlock = "-" + cut.block;
   if (!design.grid || !cut.id.ends_with(ofBlock)) return {cut};
   const std::string stem = cut.id.substr(0, cut.id.size() - ofBlock.size());
@@ -119,17 +122,16 @@ std::vector<Cut> together(const Design& design, const Cut& cut) {
   return all;
 }
 
-}  // namespace
-
 bool mayGo(const Design& design, const Cut& cut) {
   std::map<std::string, int> counts;
   for (const Cut& one : design.cuts) ++counts[one.block];
-  return std::ranges::all_of(together(design, cut), [&](const Cut& one) { return counts[one.block] > 1; });
+  return std::ranges::all_of(cutsTogether(design, cut),
+                             [&](const Cut& one) { return counts[one.block] > 1; });
 }
 
 Design withoutCut(const Design& design, const Cut& cut) {
   Design changed = design;
-  for (const Cut& gone : together(design, cut))
+  for (const Cut& gone : cutsTogether(design, cut))
     std::erase_if(changed.cuts, [&](const Cut& one) { return one.id == gone.id; });
   detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
   if (std::ranges::find(changed.cuts, cut.source, &Cut::source) != changed.cuts.end()) return changed;

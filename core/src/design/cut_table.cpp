@@ -21,9 +21,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 14> kColumns = {"block",     "id",       "source",       "face",  "near",
-                                                  "direction", "face_up",  "turn_deg",     "keep",  "order",
-                                                  "stations",  "sections", "blade_length", "offset"};
+constexpr std::array<const char*, 15> kColumns = {
+    "block",    "id",   "source", "face",     "near",     "direction",    "planes", "face_up",
+    "turn_deg", "keep", "order",  "stations", "sections", "blade_length", "offset"};
 
 /// A cut of a design with all its keys, also those that are as usual, and the expressions of its numbers.
 json rowOf(const Design& design, std::size_t index) {
@@ -113,6 +113,7 @@ json numberJson(double value) {
 json valueOf(const std::string& column, std::string cell, bool commas) {
   if (cell.starts_with('[') || cell.starts_with('{'))
     if (json value = json::parse(cell, nullptr, false); !value.is_discarded()) return value;
+  if (column == "planes") return {{"type", cell}};
   // Names stay what they are.
   if (column == "id" || column == "block" || column == "source") return cell;
   std::string number = cell;
@@ -203,6 +204,7 @@ std::string cutTableCsv(const Design& design) {
       row["direction"] =
           numberJson(d.x()).dump() + " " + numberJson(d.y()).dump() + " " + numberJson(d.z()).dump();
     }
+    row["planes"] = row["planes"]["type"];
     std::string line;
     for (const char* column : kColumns)
       line += (column == kColumns.front() ? "" : ",") + cellOf(row.value(column, json()));

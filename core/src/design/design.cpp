@@ -270,6 +270,14 @@ void readCuts(ObjectReader& reader, Design& design) {
   }
   const auto own =
       std::stable_partition(list.begin(), list.end(), [](const Cut& cut) { return cut.block.empty(); });
+  // One id for cuts of two blocks, "cut-A-b" of cut in A-b and of cut-A in b, would lose one of them.
+  std::map<std::string, std::string> blocks;
+  for (auto cut = list.begin(); cut != own; ++cut)
+    for (const StockBlock& block : design.stock)
+      if (const auto [other, isNew] = blocks.try_emplace(cut->id + "-" + block.id, block.id); !isNew)
+        return reader.complain("cuts", reader.path() + ".cuts make \"" + other->first +
+                                           "\" of the blocks \"" + other->second + "\" and \"" + block.id +
+                                           "\"; call a cut or a block otherwise");
   design.cuts = cutsOf(design.stock, {list.begin(), own}, {own, list.end()});
   if (design.cuts.size() > std::size_t(Design::kMostCuts))
     reader.complain("cuts",
@@ -441,8 +449,13 @@ Result<Design> readDesign(const json& object, const std::string& path, const det
   std::erase(before, ']');
   std::ranges::replace_if(
       before, [](char c) { return c == '.' || c == '['; }, '/');
-  for (auto& [pointer, bound] : scope.bound)
-    design->bindings.emplace(pointer.substr(before.size()), std::move(bound));
+  for (auto& [pointer, bound] : scope.bound) {
+    std::string place = pointer.substr(before.size());
+    // Told as one object they are written by their own keys.
+    if (place == "/process/grip_error/mm") place = "/process/grip_error";
+    if (place == "/process/grip_error/deg") place = "/process/grip_angle_error";
+    design->bindings.emplace(std::move(place), std::move(bound));
+  }
   followCuts(object, *design);
   return design;
 }

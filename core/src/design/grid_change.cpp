@@ -241,13 +241,15 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
   Design changed = design;
   for (Source& source : changed.sources)
     if (source.surface) reachOver(*source.surface, before, grid);
-  changed.stock = stockOf(grid);
+  BlockGrid kept = grid;
+  kept.dropNames();
+  changed.stock = stockOf(kept);
   if (grid.count() == 1) {
     changed.grid.reset();
     changed.cuts = each;
     for (Cut& cut : changed.cuts) cut.block = changed.block().id;
   } else {
-    changed.grid = grid;
+    changed.grid = std::move(kept);
     std::set<std::string> blocks;
     for (const StockBlock& block : changed.stock) blocks.insert(block.id);
     std::vector<Cut> own;

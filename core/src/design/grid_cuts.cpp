@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace bw::detail {
@@ -13,8 +15,16 @@ std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
   if (!design.grid || design.stock != stockOf(*design.grid)) return {};
   const std::string& first = design.stock.front().id;
   std::vector<Cut> each, own;
+  std::set<std::pair<std::string, std::string>> there;  // ids, and their blocks
+  for (const Cut& cut : design.cuts) there.insert({cut.id, cut.block});
+  const auto isOfAll = [&](const std::string& stem) {
+    return std::ranges::all_of(design.stock, [&](const StockBlock& block) {
+      return there.contains({stem + "-" + block.id, block.id});
+    });
+  };
   for (Cut cut : design.cuts)
-    if (cut.block == first && cut.id.size() > first.size() + 1 && cut.id.ends_with("-" + first)) {
+    if (cut.block == first && cut.id.size() > first.size() + 1 && cut.id.ends_with("-" + first) &&
+        isOfAll(cut.id.substr(0, cut.id.size() - first.size() - 1))) {
       cut.id.resize(cut.id.size() - first.size() - 1);
       cut.block.clear();
       each.push_back(std::move(cut));

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 
 #include "bw/core/base/units.h"
+#include "bw/core/text/printable.h"
 #include "design/design_keys.h"
 
 namespace bw::detail {
@@ -61,6 +64,34 @@ std::array<std::size_t, 3> readCounts(ObjectReader& reader) {
   return counts;
 }
 
+/// Names of blocks, by what their places call them.
+void readNames(ObjectReader& reader, BlockGrid& grid) {
+  const json* value = reader.member("names");
+  if (!value) return;
+  const std::string path = reader.path() + ".names";
+  if (!value->is_object())
+    return reader.complain("names",
+                           path + " must tell names by the places of blocks, as {\"column-2\": \"A2\"}");
+  std::set<std::string> ids;
+  for (const BlockGrid::Cell& cell : grid.cells()) ids.insert(cell.place);
+  for (const auto& [place, name] : value->items())
+    if (!ids.contains(place))
+      return reader.complain("names", path + " names the block \"" + printable(place) +
+                                          "\", but the grid has none of that place; take it out");
+  for (const auto& [place, name] : value->items()) ids.erase(place);
+  for (const auto& [place, name] : value->items()) {
+    const std::string entry = path + "." + printable(place);
+    if (!name.is_string()) return reader.complain("names", entry + " must be a text");
+    const std::string text = name.get<std::string>();
+    if (const std::string why = whyNoFileName(text); !why.empty())
+      return reader.complain("names", entry + ": " + why);
+    if (!ids.insert(text).second)
+      return reader.complain(
+          "names", entry + " is \"" + text + "\", as another block is called; give each its own name");
+    grid.names[place] = text;
+  }
+}
+
 }  // namespace
 
 void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid) {
@@ -97,6 +128,7 @@ void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid) {
       readLengths(part, way, counts[way] - 1, 0, BlockGrid::kMostGap, read.gaps[way]);
     inner.adopt(part.finish());
   }
+  if (all <= std::size_t(BlockGrid::kMostBlocks)) readNames(inner, read);
   if (reader.adopt(inner.finish())) grid = std::move(read);
 }
 
@@ -114,6 +146,7 @@ json gridJson(const BlockGrid& grid, const BoundBelow& isBound) {
     object["sizes"][name] = lengths(grid.sizes[way], "/grid/sizes/" + name);
     if (!grid.gaps[way].empty()) object["gaps"][name] = lengths(grid.gaps[way], "/grid/gaps/" + name);
   }
+  if (!grid.names.empty()) object["names"] = grid.names;
   return object;
 }
 

@@ -39,13 +39,12 @@ struct List {
   Ids there;  ///< the ids that the design has
 };
 
-std::vector<List> listsOf(const Design& design, bool withStations) {
-  std::vector<List> lists = {{"stock", &PartIds::stock, "block", idsOf(design.stock)},
-                             {"cuts", &PartIds::cuts, "cut", idsOf(design.cuts)},
-                             {"sources", &PartIds::sources, "source", idsOf(design.sources)},
-                             {"curves", &PartIds::sources, "curve", curveIds(design)}};
-  if (withStations) lists.push_back({"stations", &PartIds::stations, "cut", idsOf(design.cuts)});
-  return lists;
+std::vector<List> listsOf(const Design& design) {
+  return {{"stock", &PartIds::stock, "block", idsOf(design.stock)},
+          {"cuts", &PartIds::cuts, "cut", idsOf(design.cuts)},
+          {"sources", &PartIds::sources, "source", idsOf(design.sources)},
+          {"curves", &PartIds::sources, "curve", curveIds(design)},
+          {"stations", &PartIds::stations, "cut", idsOf(design.cuts)}};
 }
 
 void readIds(ObjectReader& reader, const List& list, Ids& ids) {
@@ -85,13 +84,13 @@ void write(ordered_json& object, const char* key, const std::vector<List>& lists
 }  // namespace
 
 void detail::readMarks(ObjectReader& reader, Design& design) {
-  read(reader, "hidden", listsOf(design, true), design.marks.hidden);
-  read(reader, "locked", listsOf(design, false), design.marks.locked);
+  read(reader, "hidden", listsOf(design), design.marks.hidden);
+  read(reader, "locked", listsOf(design), design.marks.locked);
 }
 
 void detail::writeMarks(const Design& design, ordered_json& object) {
-  write(object, "hidden", listsOf(design, true), design.marks.hidden);
-  write(object, "locked", listsOf(design, false), design.marks.locked);
+  write(object, "hidden", listsOf(design), design.marks.hidden);
+  write(object, "locked", listsOf(design), design.marks.locked);
 }
 
 }  // namespace bw

@@ -160,6 +160,8 @@ LengthRequest requestFor(LengthRequest request, double length, double clearance,
   request.fit.blade.length = length;
   request.fit.blade.autoLength = false;
   request.fit.clearance = request.check.clearance = clearance;
+  // What grips that are off do is told of the row that is made, and takes long.
+  request.check.gripError = request.check.gripAngle = 0;
   request.fit.margin = request.check.margin = request.ends.margin = margin;
   return request;
 }

@@ -66,14 +66,16 @@ Result<Findings> heldWithGripsOff(const Sweep& sweep, const RowCertainty& certai
     });
     if (!ok) return tl::unexpected<Error>(ok.error());
   }
+  // Where it snaps, and where little is left that holds it.
   Findings findings;
-  for (const sweep::Stretch& at : sweep::stretchesOf(
-           n, [&](std::size_t i) { return least[i] < kLeastBarrier; },
-           [&](std::size_t a, std::size_t b) { return least[a] < least[b]; })) {
-    HeldByLittle cause{least[at.worst], kLeastBarrier, request.gripError, request.gripAngle};
-    if (const auto& other = certainty.stations[at.worst].other) cause.distance = other->distance;
-    findings.push_back({Severity::warning, cause, sweep::placeOf(sweep.poses, at), {}});
-  }
+  for (const bool snaps : {true, false})
+    for (const sweep::Stretch& at : sweep::stretchesOf(
+             n, [&](std::size_t i) { return least[i] < kLeastBarrier && (least[i] == 0) == snaps; },
+             [&](std::size_t a, std::size_t b) { return least[a] < least[b]; })) {
+      HeldByLittle cause{least[at.worst], kLeastBarrier, request.gripError, request.gripAngle};
+      if (const auto& other = certainty.stations[at.worst].other) cause.distance = other->distance;
+      findings.push_back({Severity::warning, cause, sweep::placeOf(sweep.poses, at), {}});
+    }
   return findings;
 }
 

@@ -74,6 +74,10 @@ double BladePose::minRadius() const {
   return curvature * blade.length() > kLeastBend ? 1 / curvature : 0;
 }
 
+double BladePose::slack() const {
+  return std::max(0.0, blade.length() - (blade.at(blade.length()).point - blade.start()).norm());
+}
+
 bool BladePose::gripsSwapped() const {
   const auto chord = [](const Elastica& e) -> Vector2d { return e.at(e.length()).point - e.start(); };
   return chord(cut).dot(chord(blade)) < 0;

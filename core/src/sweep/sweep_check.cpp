@@ -4,6 +4,7 @@
 #include "bw/core/sweep/sweep_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -25,92 +26,151 @@ namespace {
 
 using sweep::kColumns;
 
-/// How far the blade of a pose, at arc lengths, lies from where it was once one of its grips is off along its
-/// chord, either way, and turned, either way; 0 where it does not reach so far, or snaps.
-std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness, const Eigen::Vector2d& along,
-                                      std::span<const double> arcs, const CheckRequest& request) {
-  std::vector<double> moved(arcs.size(), 0.0);
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+/// Looks at a blade once one of its grips is off.
+class GripsOff {
+ public:
+  /// `arcs`, where it is looked at, outlives it.
+  GripsOff(const HeavyBlade& blade, const HeavyBranch& own, double stiffness, std::span<const double> arcs)
+      : own_(own),
+        held_(holdOf(blade, stiffness)),
+        arcs_(arcs),
+        was_(arcs.size()),
+        is_(arcs.size()),
+        chord_((held_.grips.end - held_.grips.start).norm()),
+        along_((held_.grips.end - held_.grips.start) / chord_) {
+    blade.at(arcs_, was_);
+  }
+
+  double slack() const { return held_.grips.length - chord_; }
+  /// The moves of the blade across itself, mm a mm or rad, to first order: at a grip that goes along the
+  /// chord, across it, and is turned.
+  std::array<double, 3> across(const HeavyDerivatives& by, std::size_t k, bool end) const {
+    const Eigen::Matrix<double, 1, 3> moves =
+        Eigen::RowVector2d(-std::sin(was_[k].angle), std::cos(was_[k].angle)) *
+        by.byGrips[k].block<2, 3>(0, end ? 3 : 0);
+    return {moves(0) * along_.x() + moves(1) * along_.y(), moves(1) * along_.x() - moves(0) * along_.y(),
+            moves(2)};
+  }
+
+  /// Raises `moved` to how far the blade lies across itself from where it was, once the start or the end is
+  /// so much nearer to the other and turned; false where it snaps on the way.
+  bool look(bool end, double nearer, double turn, std::vector<double>& moved) {
+    HeavyBranch there = own_;
+    // Its angles grow as the root of its slack, which therefore grows four times at most at once.
+    double share = nearer > 0 ? 3 * slack() / nearer : 1;
+    for (bool last = false; !last; share = 4 * share + 3 * slack() / nearer) {
+      last = share >= 1;
+      const double part = last ? 1 : share;
+      HeavyProblem off = held_;
+      (end ? off.grips.end : off.grips.start) += (end ? -part : part) * nearer * along_;
+      *(end ? off.grips.endAngle : off.grips.startAngle) += part * turn;
+      off.grips.turning.reset();
+      const Result<ClampedBranch::Move> move = there.moveTo(off);
+      if (move && !move->snapped) continue;
+      // Pulled nearly straight it cannot be turned as well, and stays where its branch ends.
+      if (!(nearer < 0) || (move && !nearlyTaut(slack() + part * nearer * move->reached, turn))) return false;
+    }
+    there.blade().at(arcs_, is_);
+    for (std::size_t k = 0; k < arcs_.size(); ++k) {
+      const Eigen::Vector2d normal(-std::sin(was_[k].angle), std::cos(was_[k].angle));
+      moved[k] = std::max(moved[k], std::abs(normal.dot(is_[k].point - was_[k].point)));
+    }
+    return true;
+  }
+
+ private:
+  /// Whether so much slack is all but gone, or no more than ends need that are turned so much.
+  bool nearlyTaut(double left, double turn) const {
+    return left < std::max(0.02 * slack(), 0.1 * held_.grips.length * turn * turn);
+  }
+
+  const HeavyBranch& own_;
+  HeavyProblem held_;
+  std::span<const double> arcs_;
+  std::vector<Elastica::State> was_, is_;
+  double chord_;
+  Eigen::Vector2d along_;
+};
+
+/// How far a blade, at arc lengths, moves across itself once either grip is off, any way, and turned, either
+/// way; infinite where it snaps.
+std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness, std::span<const double> arcs,
+                                      const CheckRequest& request) {
+  // Where both ways along the chord come so near to the first order, it tells what is between them.
+  constexpr double kNear = 0.05;
+  // Taken apart by more than its slack it is straight, and does not reach.
+  constexpr double kApart = 0.999;
+  const double error = request.gripError, turn = request.gripAngle;
+  const std::vector<double> unknown(arcs.size(), kUnknown);
   const Result<HeavyBranch> own = HeavyBranch::from(blade, stiffness);
-  if (!own) return moved;
-  std::vector<Elastica::State> was(arcs.size()), is(arcs.size());
-  blade.at(arcs, was);
-  for (const bool end : {false, true})
-    for (const double way : {-1.0, 1.0})
-      for (const double turn : {-1.0, 1.0}) {
-        HeavyProblem off = holdOf(blade, stiffness);
-        (end ? off.grips.end : off.grips.start) += way * request.gripError * along;
-        *(end ? off.grips.endAngle : off.grips.startAngle) += turn * request.gripAngle;
-        off.grips.turning.reset();
-        HeavyBranch there = *own;
-        const Result<ClampedBranch::Move> move = there.moveTo(off);
-        if (!move || move->snapped) continue;
-        there.blade().at(arcs, is);
-        for (std::size_t k = 0; k < arcs.size(); ++k) {
-          const Eigen::Vector2d normal(-std::sin(was[k].angle), std::cos(was[k].angle));
-          moved[k] = std::max(moved[k], std::abs(normal.dot(is[k].point - was[k].point)));
-        }
-      }
+  const Result<HeavyDerivatives> by = derivativesByGrips(blade, arcs);
+  if (!own || !by || by->byGrips.empty()) return unknown;
+  GripsOff grips(blade, *own, stiffness, arcs);
+  const double apart = std::min(error, kApart * grips.slack());
+  std::vector<double> farthest(arcs.size(), 0.0);
+  for (const bool end : {false, true}) {
+    // Along the chord, and turned, it bends by more than the first order tells, beside it by no more.
+    std::vector<double> first, turns, shifts;
+    std::size_t most = 0;
+    double worst = turn;  // the way in which it is turned where it moves most, going nearer
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      const auto [along, beside, turned] = grips.across(*by, k, end);
+      turns.push_back(turn * std::abs(turned));
+      first.push_back(error * std::abs(along) + turns[k]);
+      shifts.push_back(error * std::abs(beside));
+      if (first[k] < first[most]) continue;
+      most = k;
+      worst = (end ? -along : along) * turned < 0 ? -turn : turn;
+    }
+    std::vector<double> nearer(arcs.size(), 0.0), farther(arcs.size(), 0.0);
+    if (!grips.look(end, error, worst, nearer) || !grips.look(end, -apart, -worst, farther)) return unknown;
+    const auto isNear = [&](const std::vector<double>& bends) {
+      return std::abs(bends[most] - first[most]) <= kNear * first[most];
+    };
+    const bool linear = isNear(nearer) && isNear(farther);
+    if (!linear && (!grips.look(end, error, -worst, nearer) || !grips.look(end, -apart, worst, farther)))
+      return unknown;
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      const double bends = std::max({nearer[k], farther[k], linear ? first[k] : 0.0});
+      farthest[k] = std::max(farthest[k], std::hypot(std::max(0.0, bends - turns[k]), shifts[k]) + turns[k]);
+    }
+  }
+  return farthest;
+}
+
+/// The same of a straight beam with clamped ends, which buckles to either side where its grips come nearer.
+std::vector<double> movedOfTaut(const BladePose& pose, std::span<const double> arcs,
+                                const CheckRequest& request) {
+  const double error = request.gripError, length = pose.blade.length(), slack = pose.slack();
+  const double sag = error > 0 ? sweep::sagOfClamped(length, slack + error) : 0;
+  std::vector<double> moved;
+  for (const double arc : arcs) {
+    const double s = arc / length, r = 1 - s;
+    const double buckled = 0.5 * sag * (1 - std::cos(2 * kPi * s));
+    const double left =
+        std::max(r * r * (1 + 2 * s) * error, buckled) + s * r * r * length * request.gripAngle;
+    const double right =
+        std::max(s * s * (1 + 2 * r) * error, buckled) + s * s * r * length * request.gripAngle;
+    moved.push_back(std::max(left, right));
+  }
   return moved;
 }
 
 /// How far a grip that is off moves the part that cuts.
 std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
   constexpr int kPlaces = 26;  // every fourth column
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  if (!(request.gripError > 0 || request.gripAngle > 0)) return std::vector<double>(kColumns, 0.0);
   const std::vector<double> arcs = pose.cutArcs(kPlaces);
+  const double stiffness = sweep.request.blade.flexuralRigidity();
   std::vector<double> coarse(kPlaces, kUnknown);
-  // Pushed together, a blade that is nearly straight sags with the root of its slack.
-  const double length = pose.blade.length();
-  const Eigen::Vector2d chord = pose.blade.at(length).point - pose.blade.start();
-  const double slack = std::max(0.0, length - chord.norm());
-  const double error = request.gripError;
   if (sweep::isTaut(pose)) {
-    // A straight beam with clamped ends, which buckles to either side where its grips come nearer.
-    const double sag = error > 0 ? sweep::sagOfClamped(length, slack + error) : 0;
-    for (std::size_t k = 0; k < arcs.size(); ++k) {
-      const double s = arcs[k] / length, r = 1 - s;
-      const double buckled = 0.5 * sag * (1 - std::cos(2 * kPi * s));
-      const double left =
-          std::max(r * r * (1 + 2 * s) * error, buckled) + s * r * r * length * request.gripAngle;
-      const double right =
-          std::max(s * s * (1 + 2 * r) * error, buckled) + s * s * r * length * request.gripAngle;
-      coarse[k] = std::max(left, right);
-    }
-  } else {
-    const double root = std::sqrt(slack), less = std::sqrt(std::max(0.0, slack - error));
-    const double bends = error > 0 && slack > 0
-                             ? std::max(std::sqrt(slack + error) - root, root - less) * 2 * root / error
-                             : 1.0;  // times what the first order tells
-    std::optional<HeavyBlade> blade = pose.heavy;
-    if (!blade)
-      if (const Result<Hanging> light =
-              hang(pose.blade, sweep.request.blade.flexuralRigidity(), Eigen::Vector2d::Zero()))
-        blade = light->blade;
-    const Result<HeavyDerivatives> by =
-        blade ? derivativesByGrips(*blade, arcs) : Result<HeavyDerivatives>(HeavyDerivatives{});
-    if (by && !by->byGrips.empty()) {
-      std::vector<Elastica::State> states(arcs.size());
-      pose.at(arcs, states);
-      for (std::size_t k = 0; k < arcs.size(); ++k) {
-        const Eigen::RowVector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
-        const Eigen::Matrix<double, 1, 6> across = normal * by->byGrips[k].topRows<2>();
-        double farthest = 0;
-        for (const int grip : {0, 3}) {
-          const Eigen::Vector2d first = across.segment<2>(grip).transpose(), along = chord.normalized();
-          const double together = first.dot(along);
-          farthest = std::max(farthest, error * (first + (bends - 1) * together * along).norm() +
-                                            request.gripAngle * std::abs(across(grip + 2)));
-        }
-        coarse[k] = farthest;
-      }
-      // Where the slack is not much more than the error neither law tells it all.
-      constexpr double kLittle = 4;  // errors
-      if (slack < kLittle * error) {
-        const std::vector<double> seen = movedWithGripsOff(*blade, sweep.request.blade.flexuralRigidity(),
-                                                           chord.normalized(), arcs, request);
-        for (std::size_t k = 0; k < arcs.size(); ++k) coarse[k] = std::max(coarse[k], seen[k]);
-      }
-    }
+    coarse = movedOfTaut(pose, arcs, request);
+  } else if (pose.heavy) {
+    coarse = movedWithGripsOff(*pose.heavy, stiffness, arcs, request);
+  } else if (const Result<Hanging> light = hang(pose.blade, stiffness, Eigen::Vector2d::Zero())) {
+    coarse = movedWithGripsOff(light->blade, stiffness, arcs, request);
   }
   std::vector<double> moved(kColumns);
   for (int c = 0; c < kColumns; ++c) {
@@ -139,7 +199,9 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     v = sweep::stationVelocity(poses, travel, std::size_t(i), kColumns, request.cuttingSpeed);
     StationCheck& check = result.stations[std::size_t(i)];
     const HeavyMargins margins = sweep::marginsAt(sweep, pose);
-    check.stabilityMargin = margins.inPlane;
+    // What weight brought into another shape rests there, not in the one that was asked for.
+    const bool snaps = sweep.fits[std::size_t(i)].snapsAt.has_value();
+    check.stabilityMargin = snaps ? std::min(0.0, margins.inPlane) : margins.inPlane;
     check.outOfPlaneMargin = margins.outOfPlane;
     check.sideways = margins.sideways;
     if (pose.heavy) check.movedByWeight = pose.movedByWeight();
@@ -148,7 +210,7 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     check.movedByGrip = std::ranges::max(moved);
     check.crossesItself = pose.crossesItself();
     check.gripsSwapped = pose.gripsSwapped();
-    check.stable = check.stabilityMargin > 0 && !sweep.fits[std::size_t(i)].snapsAt;
+    check.stable = check.stabilityMargin > 0;
     const sweep::VelocitySpan inFoam = sweep::spanOf(v, foam.heldOf(pose.points(pose.cutArcs(kColumns))));
     check.angleMax = inFoam.angleMax;
     check.angleMean = inFoam.angleMean;

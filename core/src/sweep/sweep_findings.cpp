@@ -290,10 +290,23 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
         return {NearBottom{seen[at.worst].aboveBottom, *request.floor}};
       });
   const auto moved = [&](Index i) { return seen[i].movedByGrip; };
+  for (const bool snaps : {true, false})
+    report(
+        Severity::info,
+        [&](Index i) {
+          return seen[i].stable && moved(i) > request.tolerance && std::isinf(moved(i)) == snaps;
+        },
+        moved,
+        [&](const Stretch& at) -> Told {
+          return {GripErrors{moved(at.worst), request.gripError, request.gripAngle, request.tolerance}};
+        });
+  const auto lacks = [&](Index i) { return request.gripError - sweep.poses[i].slack(); };
   report(
-      Severity::info, [&](Index i) { return seen[i].stable && moved(i) > request.tolerance; }, moved,
+      Severity::info, [&](Index i) { return lacks(i) > 0; }, lacks,
       [&](const Stretch& at) -> Told {
-        return {GripErrors{moved(at.worst), request.gripError, request.gripAngle, request.tolerance}};
+        const double strain = lacks(at.worst) / sweep.request.blade.length;
+        return {PulledByGrips{sweep.poses[at.worst].slack(), request.gripError,
+                              sweep.request.blade.youngModulus * strain}};
       });
   const double angleLimit = cuttingAngleLimit(sweep.request.blade);
   const auto angle = [&](Index i) { return seen[i].angleMax; };

@@ -74,4 +74,15 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+std::string whyNoFileName(const std::string& name) {
+  constexpr std::size_t kLongest = 60;  // bytes
+  if (name.find_first_not_of(" \t") == std::string::npos) return "a name must not be empty";
+  if (name.size() > kLongest) return "a name has " + std::to_string(kLongest) + " characters at most";
+  if (name.front() == ' ' || name.back() == ' ') return "a name has no blank at its ends";
+  if (name.find_first_of("/\\:*?\"<>|") != std::string::npos || name.front() == '.' ||
+      printable(name) != name)
+    return "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it";
+  return {};
+}
+
 }  // namespace bw

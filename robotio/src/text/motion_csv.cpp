@@ -11,6 +11,7 @@
 
 #include "bw/core/text/byte_order_mark.h"
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
 
@@ -81,6 +82,11 @@ class CsvReader {
 
   Result<Motion> run() {
     std::vector<std::string_view> cells;
+    // Errors of a design stand before the header.
+    while (rest_.starts_with('#')) {
+      ++line_;
+      rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
+    }
     if (!nextLine(cells))
       return fail(ErrorCode::badInput, "the CSV is empty; it must begin with a header", "line 1");
     if (Result<void> ok = readHeader(cells); !ok) return tl::unexpected<Error>(ok.error());
@@ -189,9 +195,16 @@ class CsvReader {
 
 }  // namespace
 
-Result<Program> writeCsv(const Motion& motion) {
+Result<Program> writeCsv(const Motion& motion, const ProgramNotes& notes) {
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
-  std::string text = joined(columnNames(motion.instants.front().poses.size()));
+  std::string text;
+  // Few and short: by the header after them it is seen to be one of ours.
+  constexpr std::size_t kShown = 5, kLength = 200;
+  for (std::size_t i = 0; i < std::min(kShown, notes.errors.size()); ++i)
+    text += "# NOT SAFE TO RUN: " + printable(notes.errors[i].substr(0, kLength)) + "\n";
+  if (notes.errors.size() > kShown)
+    text += "# NOT SAFE TO RUN: " + std::to_string(notes.errors.size() - kShown) + " more errors\n";
+  text += joined(columnNames(motion.instants.front().poses.size()));
   for (std::size_t i = 0; i < motion.instants.size(); ++i) {
     const MotionInstant& instant = motion.instants[i];
     std::vector<std::string> cells = {roundTripText(instant.time), std::to_string(instant.station)};

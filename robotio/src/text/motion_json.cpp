@@ -104,8 +104,8 @@ MotionInstant instant(const json& value, const std::string& path) {
 
 Motion readMotion(const json& root) {
   keys(root, "motion",
-       {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "corner_tolerance",
-        "approach", "retreat", "block", "ends", "instants"});
+       {"schema", "version", "not_safe_to_run", "units", "frame", "cell", "blade_length", "cutting_speed",
+        "corner_tolerance", "approach", "retreat", "block", "ends", "instants"});
   if (const json& schema = at(root, "motion", "schema");
       !schema.is_string() || schema.get<std::string>() != kSchema)
     wrong("motion.schema must be \"" + std::string(kSchema) + "\"; this is another kind of file",
@@ -142,9 +142,11 @@ Motion readMotion(const json& root) {
 
 }  // namespace
 
-Result<Program> writeJson(const Motion& motion, const Cell& cell) {
+Result<Program> writeJson(const Motion& motion, const Cell& cell, const ProgramNotes& notes) {
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
-  std::string tasks, ends;
+  std::string tasks, ends, unsafe;
+  for (const std::string& error : notes.errors) unsafe += (unsafe.empty() ? "" : ", ") + quoted(error);
+  if (!unsafe.empty()) unsafe = ",\n  \"not_safe_to_run\": [" + unsafe + "]";
   for (const CellTask& task : cell.tasks) tasks += (tasks.empty() ? "" : ", ") + quoted(task.name);
   for (std::size_t i = 0; i < motion.instants.front().poses.size(); ++i)
     ends += (ends.empty() ? "" : ", ") + quoted(endName(i));
@@ -154,6 +156,7 @@ Result<Program> writeJson(const Motion& motion, const Cell& cell) {
   const Frame& f = motion.block.frame;
   std::string text =
       "{\n  \"schema\": \"" + std::string(kSchema) + "\",\n  \"version\": " + std::to_string(kVersion) +
+      unsafe +
       ",\n  \"units\": \"mm, s; quaternions w first\",\n  \"frame\": \"block\",\n  \"cell\": {\"name\": " +
       quoted(cell.name) + ", \"tasks\": [" + tasks + "], \"work_object\": " + poseText(cell.workObject) +
       "},\n  \"blade_length\": " + roundTripText(motion.bladeLength) +

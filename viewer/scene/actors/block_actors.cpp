@@ -149,7 +149,8 @@ void BlockActors::setContent(const Stock* stock) {
   arrow_.setContent(stock);
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
-  if (stock->part) shareMesh(part_.data(), stock->part->points, stock->part->normals, stock->part->triangles);
+  if (stock->part)
+    shareMesh(part_.data(), stock->part->mesh.points, stock->part->mesh.normals, stock->part->mesh.triangles);
   for (Part* part : {&back_, &front_}) part->setPolygons(facesOf(*stock->box));
   edges_.setSegments(edgesOf(*stock->box));
 }
@@ -214,7 +215,8 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
   }
   edges_.setVisible(shown);
   edges_.setLine(colors.foamEdge, px);
-  part_.setVisible(stock_ && stock_->part && style.of(Kind::part, stock_->id).visible);
+  part_.setVisible(stock_ && stock_->part && (style.partsOfOneCut || !stock_->part->ofOneCut) &&
+                   style.of(Kind::part, stock_->id).visible);
   part_.setColor(colors.foam);
   part_.setFade(keep, background);
   showCreases(style);

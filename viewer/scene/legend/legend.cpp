@@ -68,19 +68,20 @@ double areaShare(const ShownMap& map, double low, double high) {
   return whole > 0 ? within / whole : 0;
 }
 
-/// The same in per cent. 100 % is said only where it is true, and 0 % where there is none.
-std::string shareText(const ShownMap& map, double low, double high) {
-  const bool all = low <= map.summary.min && map.summary.max <= high;
-  const double share = areaShare(map, low, high);
+/// A share in per cent. 100 % is said only where it is true, and 0 % where there is none.
+std::string shareText(double share, bool all) {
   const double said = all ? 100 : share > 0 ? std::clamp(100 * share, 0.1, 99.9) : 0;
   const bool nearly = (said > 99 && said < 100) || (said > 0 && said < 1);
   return fixedText(said, nearly ? 1 : 0) + " % ";
+}
+std::string shareText(const ShownMap& map, double low, double high) {
+  return shareText(areaShare(map, low, high), low <= map.summary.min && map.summary.max <= high);
 }
 
 }  // namespace
 
 void Legend::update(int width, int height, const Style& style, const ShownMap* shown,
-                    unsigned contentVersion) {
+                    const std::optional<double>& covered, unsigned contentVersion) {
   if (!shown || !style.legend) {
     key_.reset();
     canvas_.begin(height);
@@ -94,10 +95,11 @@ void Legend::update(int width, int height, const Style& style, const ShownMap* s
   const std::tuple key(width, height, style.dark, style.pixelRatio, shown->colors, rows, contentVersion);
   if (key == key_) return;
   key_ = key;
-  draw(width, height, style, *shown);
+  draw(width, height, style, *shown, covered);
 }
 
-void Legend::draw(int width, int height, const Style& style, const ShownMap& shown) {
+void Legend::draw(int width, int height, const Style& style, const ShownMap& shown,
+                  const std::optional<double>& covered) {
   const Field& field = *shown.field;
   const FieldSummary& summary = shown.summary;
   const ColorMap& map = shown.colors;
@@ -125,6 +127,8 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   if (deviation) {
     notes.push_back(shareText(shown, -map.tolerance, map.tolerance) + "within \u00b1" +
                     shortText(map.tolerance) + " mm");
+    // Its line is kept while a hand moves something, so that the legend stays as it is.
+    notes.push_back(covered ? shareText(*covered, *covered == 1) + "covered" : std::string());
   } else if (map.limit) {
     notes.push_back(shareText(shown, 0, *map.limit) + "within " +
                     (field.unit.empty() ? "the limit" : shortText(*map.limit, 3) + " " + field.unit));
@@ -144,7 +148,8 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   const double titleWidth = canvas_.textWidth(field.title, title);
   const double unitWidth = field.unit.empty() ? 0 : pixels(6) + canvas_.textWidth(field.unit, small);
   inner = std::max(inner, titleWidth + unitWidth);
-  for (const std::string& note : notes) inner = std::max(inner, canvas_.textWidth(note, small));
+  for (const std::string& note : notes)
+    if (!note.empty()) inner = std::max(inner, canvas_.textWidth(note, small));
   inner = std::ceil(inner);
 
   const double head = pixels(13) + pixels(20), noteStep = pixels(17),
@@ -241,7 +246,7 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   }
   double y = bar.y + bar.height + pixels(18);
   for (const std::string& note : notes) {
-    canvas_.text(note, card.x + padding, y, Align::left, small);
+    if (!note.empty()) canvas_.text(note, card.x + padding, y, Align::left, small);
     y += noteStep;
   }
   canvas_.end();

@@ -16,8 +16,9 @@ class Legend {
  public:
   explicit Legend(Layers& layers) { layers.add(Layer::overlay, canvas_); }
   /// Lays the legend out for a picture of that size; does nothing where nothing changed. `map` may be null:
-  /// then it is hidden.
-  void update(int width, int height, const Style& style, const ShownMap* map, unsigned contentVersion);
+  /// then it is hidden. `covered`: share of the targets that is cut, said beside their deviation.
+  void update(int width, int height, const Style& style, const ShownMap* map,
+              const std::optional<double>& covered, unsigned contentVersion);
   const std::optional<PixelRect>& card() const { return card_; }
   const std::optional<PixelRect>& bar() const { return bar_; }
   const std::vector<Overlay::Text>& texts() const { return canvas_.texts(); }
@@ -26,7 +27,8 @@ class Legend {
   static double reservedWidth(double pixelRatio) { return 150 * pixelRatio; }
 
  private:
-  void draw(int width, int height, const Style& style, const ShownMap& shown);
+  void draw(int width, int height, const Style& style, const ShownMap& shown,
+            const std::optional<double>& covered);
 
   Canvas canvas_;
   std::optional<PixelRect> card_, bar_;

@@ -24,11 +24,14 @@ namespace bw::app {
 namespace {
 
 constexpr int kFaces = 6;
-constexpr double kLeast = 10, kMost = 1e5;       // mm, of a size
+constexpr double kLeast = 10, kMost = 1e5;       // mm, of a size, or of a place
 constexpr HandSteps kTurns = {1, 15, 45};        // degrees
 constexpr HandSteps kLeans = {1, 5, 15};         // degrees
 constexpr double kMostLean = 80;                 // degrees
 constexpr double kRing = 1.12, kTip = 1.35;      // of half a diagonal of the block, from its middle
+constexpr double kRingAt = 45;                   // degrees: where the ring of z is held
+constexpr double kArc = 18;                      // degrees: half of what is drawn of the others
+constexpr double kSpoke = 0.16;                  // of that half diagonal, out of the corner
 constexpr double kMast = 0.35;                   // of that, over the top of the block
 constexpr double kBarb = 0.09, kBarbAngle = 25;  // of the arrow's length, and degrees
 constexpr int kRingParts = 72;
@@ -36,7 +39,14 @@ constexpr double kUpright = 1e-3;  // sine between the travel and the vertical, 
 constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
 
 bool isFace(BlockPart part) { return int(part) < kFaces; }
-int axisOf(BlockPart part) { return int(part) / 2; }
+bool isTurn(BlockPart part) { return part >= BlockPart::turnX && part <= BlockPart::turnZ; }
+bool isMove(BlockPart part) { return part >= BlockPart::moveX && part <= BlockPart::moveZ; }
+/// True of what is counted in mm, along a way.
+bool slides(BlockPart part) { return isFace(part) || isMove(part); }
+/// 0 x, 1 y, 2 z: of the block, of its rotations, or of the frame of the design.
+int axisOf(BlockPart part) {
+  return isFace(part) ? int(part) / 2 : int(part) - int(isTurn(part) ? BlockPart::turnX : BlockPart::moveX);
+}
 double sideOf(BlockPart part) { return int(part) % 2 ? 1 : -1; }
 /// True of what belongs to the cut rather than to the block.
 bool isOfCut(BlockPart part) { return part == BlockPart::direction || part == BlockPart::lean; }
@@ -61,7 +71,8 @@ Eigen::Vector2d unitAt(double degrees) {
 
 QString textOfEdit(BlockPart part) {
   if (isFace(part)) return BlockHandles::tr("Resize block");
-  if (part == BlockPart::turn) return BlockHandles::tr("Rotate block");
+  if (isTurn(part)) return BlockHandles::tr("Rotate block");
+  if (isMove(part)) return BlockHandles::tr("Move block");
   return part == BlockPart::lean ? BlockHandles::tr("Lean planes") : BlockHandles::tr("Change direction");
 }
 
@@ -76,7 +87,11 @@ BlockPlacement placedWith(const BlockPlacement& placed, BlockPart part, double v
     if (sideOf(part) < 0) next.origin -= (value - placed.size[axis]) * axisIn(box.frame, axis);
     return next;
   }
-  next.rotation.z() = fromDegrees(value);
+  if (isMove(part)) {
+    next.origin[axisOf(part)] = value;
+    return next;
+  }
+  next.rotation[axisOf(part)] = fromDegrees(value);
   next.origin += box.center() - next.box().center();
   return next;
 }
@@ -85,6 +100,7 @@ BlockPlacement placedWith(const BlockPlacement& placed, BlockPart part, double v
 
 double BlockHandles::within(const Standing& was, BlockPart part, double value) {
   if (part == BlockPart::lean) return std::clamp(value, -kMostLean, kMostLean);
+  if (isMove(part)) return std::clamp(value, -kMost, kMost);
   if (!isFace(part)) return wrapped(value);
   return std::clamp(value, std::min(kLeast, valueOf(was, part)), kMost);
 }
@@ -121,7 +137,8 @@ std::optional<BlockHandles::Standing> BlockHandles::standing() const {
 
 double BlockHandles::valueOf(const Standing& standing, BlockPart part) {
   if (isFace(part)) return standing.placed.size[axisOf(part)];
-  if (part == BlockPart::turn) return toDegrees(standing.placed.rotation.z());
+  if (isTurn(part)) return toDegrees(standing.placed.rotation[axisOf(part)]);
+  if (isMove(part)) return standing.placed.origin[axisOf(part)];
   const Frame& frame = standing.lies.frame;
   if (part == BlockPart::lean)
     return toDegrees(std::asin(std::clamp(standing.travel.dot(frame.normal), -1.0, 1.0)));
@@ -140,10 +157,18 @@ Eigen::Vector3d BlockHandles::travelWith(const Standing& was, BlockPart part, do
 }
 
 Frame BlockHandles::planeOf(const Standing& standing, BlockPart part) {
-  const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
+  const Box& box = isTurn(part) ? standing.box : standing.lies;
   Frame plane = box.frame;
   plane.origin = box.center();
-  if (part == BlockPart::lean) {
+  if (part == BlockPart::turnX || part == BlockPart::turnY) {
+    // A rotation about x turns all that follows, one about y what follows on that.
+    const Eigen::Vector3d& angles = standing.placed.rotation;
+    const bool first = part == BlockPart::turnX;
+    const Eigen::Matrix3d axes = rotationFromAngles({first ? 0 : angles.x(), 0, 0});
+    plane.x = axes.col(first ? 1 : 2);
+    plane.y = axes.col(first ? 2 : 0);
+    plane.normal = axes.col(first ? 0 : 1);
+  } else if (part == BlockPart::lean) {
     const Eigen::Vector3d up = box.frame.normal;
     plane.x = (standing.travel - standing.travel.dot(up) * up).normalized();
     plane.y = up;
@@ -154,25 +179,59 @@ Frame BlockHandles::planeOf(const Standing& standing, BlockPart part) {
   return plane;
 }
 
-Eigen::Vector3d BlockHandles::placeOf(const Standing& standing, BlockPart part) const {
+double BlockHandles::ringOf(const Standing& standing, BlockPart part) {
+  const Frame plane = planeOf(standing, part);
+  double radius = 0;
+  for (const Eigen::Vector3d& corner : standing.box.corners())
+    radius = std::max(radius, plane.toLocal(corner).head<2>().norm());
+  return kRing * radius;
+}
+
+double BlockHandles::ringAngle(const Standing& standing, BlockPart part) {
+  // Beside an edge between two faces, with which it turns: those of x and y at the top.
+  if (part == BlockPart::turnZ) return -kRingAt;
+  const Eigen::Vector3d& size = standing.box.size;
+  const double edge =
+      part == BlockPart::turnX ? std::atan2(size.z(), size.y()) : std::atan2(size.x(), size.z());
+  return toDegrees(edge) + valueOf(standing, part);
+}
+
+scene::Polyline BlockHandles::ringLine(const Standing& standing, BlockPart part, bool whole) {
+  const Frame plane = planeOf(standing, part);
+  const double radius = ringOf(standing, part), middle = ringAngle(standing, part);
+  const double half = whole ? 180 : kArc;
+  scene::Polyline line;
+  for (int i = 0; i <= kRingParts; ++i)
+    line.push_back(plane.toWorld(radius * unitAt(middle + half * (2.0 * i / kRingParts - 1))));
+  return line;
+}
+
+Eigen::Vector3d BlockHandles::wayOf(const Standing& standing, BlockPart part) {
+  if (isMove(part)) return Eigen::Vector3d::Unit(axisOf(part));
+  return sideOf(part) * axisIn(standing.box.frame, axisOf(part));
+}
+
+Eigen::Vector3d BlockHandles::placeOf(const Standing& standing, BlockPart part) {
   if (isFace(part)) {
     const int axis = axisOf(part);
     return standing.box.center() +
            0.5 * sideOf(part) * standing.box.size[axis] * axisIn(standing.box.frame, axis);
   }
-  const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
+  if (isMove(part))
+    return standing.box.frame.origin -
+           kSpoke * 0.5 * standing.box.size.norm() * Eigen::Vector3d::Unit(axisOf(part));
+  if (isTurn(part))
+    return planeOf(standing, part).toWorld(ringOf(standing, part) * unitAt(ringAngle(standing, part)));
+  const Box& box = standing.lies;
   const double radius = 0.5 * box.size.head<2>().norm();
   if (part == BlockPart::lean)
     return planeOf(standing, part)
         .toWorld((0.5 * box.size.z() + kMast * radius) * unitAt(90 + valueOf(standing, part)));
-  // The ring is taken hold of between two faces.
-  const Eigen::Vector2d at = part == BlockPart::turn ? kRing * radius * unitAt(-45)
-                                                     : kTip * radius * unitAt(valueOf(standing, part));
-  return planeOf(standing, part).toWorld(at);
+  return planeOf(standing, part).toWorld(kTip * radius * unitAt(valueOf(standing, part)));
 }
 
 HandSteps BlockHandles::stepsOf(BlockPart part) const {
-  return isFace(part) ? surface_.steps() : part == BlockPart::lean ? kLeans : kTurns;
+  return slides(part) ? surface_.steps() : part == BlockPart::lean ? kLeans : kTurns;
 }
 
 QString BlockHandles::nameOf(BlockPart part) const {
@@ -189,8 +248,14 @@ QString BlockHandles::nameOf(BlockPart part) const {
       return tr("Bottom face");
     case BlockPart::top:
       return tr("Top face");
-    case BlockPart::turn:
-      return tr("Rotation Z");
+    case BlockPart::turnX:
+    case BlockPart::turnY:
+    case BlockPart::turnZ:
+      return tr("Rotation %1").arg(kAxes[std::size_t(axisOf(part))]);
+    case BlockPart::moveX:
+    case BlockPart::moveY:
+    case BlockPart::moveZ:
+      return tr("Corner %1").arg(kAxes[std::size_t(axisOf(part))]);
     case BlockPart::direction:
       return tr("Cutting direction");
     case BlockPart::lean:
@@ -204,11 +269,11 @@ QString BlockHandles::textOf(const Standing& standing, BlockPart part) const {
   QString text =
       isFace(part)
           ? tr("%1: size %2 %3").arg(nameOf(part), kAxes[std::size_t(axisOf(part))], lengthText(value))
+      : isMove(part)                 ? tr("%1: %2").arg(nameOf(part), lengthText(value))
       : part == BlockPart::direction ? tr("%1: %2 from the block's X").arg(nameOf(part), degreesText(value))
                                      : tr("%1: %2").arg(nameOf(part), degreesText(value));
   if (!pull_ || pull_->part != part) return text;
-  const double by =
-      isFace(part) ? value - valueOf(pull_->was, part) : wrapped(value - valueOf(pull_->was, part));
+  const double off = value - valueOf(pull_->was, part), by = slides(part) ? off : wrapped(off);
   text += (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
   return pull_->snap ? text + "\n" + tr("Snapped to %1").arg(pull_->snap->words) : text;
 }
@@ -239,14 +304,26 @@ SnapThings BlockHandles::snapThings(const Standing& standing) const {
 
 std::optional<Snap> BlockHandles::snapOf(BlockPart part, double by) const {
   const Standing& was = pull_->was;
-  const int axis = axisOf(part);
-  const SnapWay way{placeOf(was, part), sideOf(part) * axisIn(was.box.frame, axis),
-                    axisIn(was.box.frame, axis == 2 ? 0 : 2), axis == 2};
-  std::optional<Snap> snap =
-      snapTo(pull_->things, way, by, kMeetingReach * mmOfPixel(*view_, way.from, way.way));
-  // What the size does not let it come to is nothing to snap to.
-  const double value = snap ? valueOf(was, part) + snap->by : 0;
-  return snap && within(was, part, value) == value ? snap : std::nullopt;
+  const Eigen::Vector3d way = wayOf(was, part);
+  // Moved, either of the faces across its way may come in line with something; turned askew none lies across.
+  std::vector<BlockPart> faces;
+  for (int face = 0; face < kFaces; ++face)
+    if (isFace(part) ? BlockPart(face) == part
+                     : std::abs(way.dot(wayOf(was, BlockPart(face)))) > 1 - kUpright * kUpright)
+      faces.push_back(BlockPart(face));
+  std::optional<Snap> nearest;
+  for (const BlockPart face : faces) {
+    const int axis = axisOf(face);
+    const SnapWay from{placeOf(was, face), way, axisIn(was.box.frame, axis == 2 ? 0 : 2), axis == 2};
+    std::optional<Snap> snap =
+        snapTo(pull_->things, from, by, kMeetingReach * mmOfPixel(*view_, from.from, from.way));
+    // What the part does not let it come to is nothing to snap to.
+    const double value = snap ? valueOf(was, part) + snap->by : 0;
+    if (snap && within(was, part, value) == value &&
+        (!nearest || std::abs(snap->by - by) < std::abs(nearest->by - by)))
+      nearest = std::move(snap);
+  }
+  return nearest;
 }
 
 QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
@@ -256,7 +333,9 @@ QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
              ? tr("%1 lies in a grid, which tells its size: pull a boundary in the tab Blocks, or type its "
                   "sizes there")
                    .arg(block)
-             : tr("%1 lies in a grid, whose blocks stand side by side and are not turned one by one")
+             : tr("%1 lies in a grid, whose blocks stand side by side and are neither moved nor turned one "
+                  "by "
+                  "one")
                    .arg(block);
 }
 
@@ -277,14 +356,15 @@ void BlockHandles::applyTo(scene::Style& style) const {
   if (!now || style.chooseFaces) return;
   scene::Handles& handles = style.handles;
   const int first = int(handles.points.size());
-  const int last = int(now->travelled ? BlockPart::lean : BlockPart::turn);
+  const int last = int(now->travelled ? BlockPart::lean : BlockPart::moveZ);
   for (int part = 0; part <= last; ++part) handles.points.push_back(placeOf(*now, BlockPart(part)));
-  const Frame ring = planeOf(*now, BlockPart::turn);
-  scene::Polyline circle;
-  for (int i = 0; i <= kRingParts; ++i)
-    circle.push_back(
-        ring.toWorld(kRing * 0.5 * now->box.size.head<2>().norm() * unitAt(360.0 * i / kRingParts)));
-  handles.curves.push_back(std::move(circle));
+  const std::optional<BlockPart> lit =
+      pull_ && (pull_->held || !hovered_) ? std::optional(pull_->part) : hovered_;
+  for (const BlockPart part : {BlockPart::turnX, BlockPart::turnY, BlockPart::turnZ})
+    handles.curves.push_back(
+        ringLine(*now, part, part == BlockPart::turnZ || lit == part || chosen_ == part));
+  for (const BlockPart part : {BlockPart::moveX, BlockPart::moveY, BlockPart::moveZ})
+    handles.curves.push_back({now->box.frame.origin, placeOf(*now, part)});
   if (now->travelled) {
     const Frame plane = planeOf(*now, BlockPart::direction);
     const double length = kTip * 0.5 * now->lies.size.head<2>().norm();
@@ -311,8 +391,6 @@ void BlockHandles::applyTo(scene::Style& style) const {
     }
   }
   if (chosen_ && int(*chosen_) <= last) handles.chosen.push_back(first + int(*chosen_));
-  const std::optional<BlockPart> lit =
-      pull_ && (pull_->held || !hovered_) ? std::optional(pull_->part) : hovered_;
   if (!lit || int(*lit) > last) return;
   handles.lit = first + int(*lit);
   const QString why = whyFixed(*now, *lit);
@@ -361,9 +439,8 @@ void BlockHandles::press(int handle, const QPointF& position) {
     return emit told(why);
   }
   begin(*part, true, now);
-  if (isFace(*part)) pull_->things = snapThings(now);
-  pull_->began = (isFace(*part) ? alongWay(*view_, position, placeOf(now, *part),
-                                           sideOf(*part) * axisIn(now.box.frame, axisOf(*part)))
+  if (slides(*part)) pull_->things = snapThings(now);
+  pull_->began = (slides(*part) ? alongWay(*view_, position, placeOf(now, *part), wayOf(now, *part))
                                 : angleIn(*view_, position, planeOf(now, *part)))
                      .value_or(0);
   emit changed();
@@ -375,9 +452,8 @@ void BlockHandles::move(int handle, const QPointF& position, Qt::KeyboardModifie
   const BlockPart part = pull_->part;
   const auto [step, share] = handPace(keys, stepsOf(part));
   double by = 0;
-  if (isFace(part)) {
-    const std::optional<double> at =
-        alongWay(*view_, position, placeOf(was, part), sideOf(part) * axisIn(was.box.frame, axisOf(part)));
+  if (slides(part)) {
+    const std::optional<double> at = alongWay(*view_, position, placeOf(was, part), wayOf(was, part));
     if (!at) return;
     by = *at - pull_->began;
   } else {
@@ -386,9 +462,9 @@ void BlockHandles::move(int handle, const QPointF& position, Qt::KeyboardModifie
     by = wrapped(*at - pull_->began);
   }
   // The number, not the way to it, is a round one.
-  double value = std::round((valueOf(was, part) + by * (isFace(part) ? share : 1)) / step) * step;
+  double value = std::round((valueOf(was, part) + by * (slides(part) ? share : 1)) / step) * step;
   const std::optional<Snap> before = std::exchange(pull_->snap, std::nullopt);
-  if (isFace(part) && surface_.meeting() && share == 1) pull_->snap = snapOf(part, by);
+  if (slides(part) && surface_.meeting() && share == 1) pull_->snap = snapOf(part, by);
   if (pull_->snap) value = withoutNoise(valueOf(was, part) + pull_->snap->by);
   if (const double next = within(was, part, value); next != pull_->value)
     pull(next, true);
@@ -416,10 +492,10 @@ void BlockHandles::pull(double value, bool live) {
 }
 
 void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::string& expression) {
-  // Only a face whose opposite one is the corner moves with the size alone.
-  if (isFace(part) && sideOf(part) > 0) return;
+  // A face whose opposite one is the corner moves with the size alone.
+  if (isMove(part) || (isFace(part) && sideOf(part) > 0)) return;
   const CornerExpressions corner = isFace(part) ? cornerOfSize(was.placed, axisOf(part), expression)
-                                                : cornerOfTurn(was.placed, expression);
+                                                : cornerOfTurn(was.placed, axisOf(part), expression);
   const std::string place = placeInBlock(bench_, "/origin/")();
   pulling_ = true;
   bench_.editDesign(
@@ -437,6 +513,33 @@ void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::st
   pulling_ = false;
 }
 
+void BlockHandles::bindCornerAnew() {
+  const std::optional<Standing> now = standing();
+  const std::string origin = placeInBlock(bench_, "/origin/")(),
+                    turns = placeInBlock(bench_, "/rotation_deg/")();
+  const auto boundIn = [](const Design& design, const std::string& place) {
+    std::vector<int> axes;
+    for (int axis = 0; axis < 3; ++axis)
+      if (design.bindings.contains(place + std::to_string(axis))) axes.push_back(axis);
+    return axes;
+  };
+  if (!now || boundIn(pull_->from, origin).empty() || boundIn(pull_->from, turns).empty()) return;
+  const std::vector<int> turned = boundIn(bench_.design(), turns);
+  const std::string expression =
+      turned.size() == 1 ? bench_.design().bindings.at(turns + std::to_string(turned.front())).text
+                         : std::string();
+  pulling_ = true;
+  bench_.editDesign(
+      textOfEdit(pull_->part),
+      [&](Design& design) {
+        for (int axis = 0; axis < 3; ++axis) design.bindings.erase(origin + std::to_string(axis));
+      },
+      pull_->mergeId);
+  pulling_ = false;
+  // On several at once it cannot, and stays where it is.
+  if (turned.size() == 1) bindCorner(*now, BlockPart(int(BlockPart::turnX) + turned.front()), expression);
+}
+
 void BlockHandles::giveUp() {
   pulling_ = true;
   bench_.editDesign(
@@ -452,10 +555,12 @@ void BlockHandles::endPull() {
 
 void BlockHandles::release(int handle, bool givenUp) {
   if (!pull_ || !pull_->held || partOf(handle) != pull_->part) return;
-  if (pull_->moved && givenUp)
+  if (pull_->moved && givenUp) {
     giveUp();
-  else if (pull_->moved)
+  } else if (pull_->moved) {
     pull(pull_->value, false);
+    bindCornerAnew();
+  }
   endPull();
 }
 
@@ -527,6 +632,7 @@ void BlockHandles::nudge(double steps, const QKeyEvent& key) {
   if (!pull_) begin(*chosen_, false, now);
   const double step = handPace(key.modifiers(), stepsOf(*chosen_)).step;
   pull(within(now, *chosen_, nextRound(valueOf(now, *chosen_), step, steps)), true);
+  bindCornerAnew();
 }
 
 void BlockHandles::openField(const QKeyEvent* typed) {
@@ -537,7 +643,8 @@ void BlockHandles::openField(const QKeyEvent* typed) {
   HandleField::Line line;
   line.label = isFace(part) ? tr("Size %1").arg(kAxes[std::size_t(axisOf(part))]) : nameOf(part);
   line.name = tr("%1 of %2").arg(line.label, block);
-  line.range = isFace(part) ? NumberRange{kLeast, kMost, 3, 10, "mm"}
+  line.range = isFace(part)   ? NumberRange{kLeast, kMost, 3, 10, "mm"}
+               : isMove(part) ? NumberRange{-kMost, kMost, 3, 10, "mm"}
                : part == BlockPart::lean
                    ? NumberRange{-kMostLean, kMostLean, 3, kLeans.plain, QString(QChar(0xb0))}
                    : NumberRange{-360, 360, 3, kTurns.plain, QString(QChar(0xb0))};
@@ -546,12 +653,14 @@ void BlockHandles::openField(const QKeyEvent* typed) {
     return now && chosen_ == part ? std::optional(valueOf(*now, part)) : std::nullopt;
   };
   if (isFace(part)) line.place = placeInBlock(bench_, "/size/" + std::to_string(axisOf(part)));
-  if (part == BlockPart::turn) line.place = placeInBlock(bench_, "/rotation_deg/2");
+  if (isTurn(part)) line.place = placeInBlock(bench_, "/rotation_deg/" + std::to_string(axisOf(part)));
+  if (isMove(part)) line.place = placeInBlock(bench_, "/origin/" + std::to_string(axisOf(part)));
   line.take = [this, part](double to, const NumberField& field) {
     const std::optional<Standing> now = standing();
     if (!now) return;
     begin(part, false, *now);
     pull(to, false);
+    bindCornerAnew();
     if (const QString told = field.expression(); !told.isEmpty()) bindCorner(*now, part, told.toStdString());
     endPull();
   };

@@ -23,13 +23,30 @@
 
 namespace bw::app {
 
-/// What of a block is taken hold of: its faces, the ring that turns it about its z, the tip of the arrow that
-/// the blade travels along, and the mast of the plane in its middle, by which all planes lean.
-enum class BlockPart { left, right, front, back, bottom, top, turn, direction, lean };
+/// What of a block is taken hold of: its faces, the rings that turn it about its middle (each changes one of
+/// its rotations), the spokes that move its corner along x, y and z, the tip of the arrow that the blade
+/// travels along, and the mast of the plane in its middle, by which all planes lean.
+enum class BlockPart {
+  left,
+  right,
+  front,
+  back,
+  bottom,
+  top,
+  turnX,
+  turnY,
+  turnZ,
+  moveX,
+  moveY,
+  moveZ,
+  direction,
+  lean
+};
 
 /// The handles of the block that is selected, in the 3D view beside those of the surface. A face is pulled
-/// along its normal: its size is counted in mm or by the grid of the handles; the ring and the arrow are
-/// turned in steps of 15°, with Shift of 45°, with Ctrl or Alt of 1°, the mast in 5°, 15° and 1°.
+/// along its normal, a spoke along its own way: size and place are counted in mm or by the grid of the
+/// handles; the rings and the arrow are turned in steps of 15°, with Shift of 45°, with Ctrl or Alt of 1°,
+/// the mast in 5°, 15° and 1°.
 /// Esc gives a pull up. The handle pressed last takes the arrow keys, and numbers typed. Blocks of a grid are
 /// neither resized nor turned here, and say so.
 class BlockHandles : public QObject {
@@ -80,7 +97,14 @@ class BlockHandles : public QObject {
   static double valueOf(const Standing& standing, BlockPart part);
   /// What a part may become of what it is wished to be.
   static double within(const Standing& was, BlockPart part, double value);
-  Eigen::Vector3d placeOf(const Standing& standing, BlockPart part) const;
+  static Eigen::Vector3d placeOf(const Standing& standing, BlockPart part);
+  /// The way that a face or a spoke is pulled along, unit, as its number grows.
+  static Eigen::Vector3d wayOf(const Standing& standing, BlockPart part);
+  /// mm, the radius of a ring, and where in its plane it is taken hold of, degrees.
+  static double ringOf(const Standing& standing, BlockPart part);
+  static double ringAngle(const Standing& standing, BlockPart part);
+  /// A ring, or an arc of it about where it is taken hold of.
+  static scene::Polyline ringLine(const Standing& standing, BlockPart part, bool whole);
   /// The travel of the blade with another value of the arrow or the mast.
   static Eigen::Vector3d travelWith(const Standing& was, BlockPart part, double value);
   /// Where the plane of the blade through the middle of the block leaves it.
@@ -113,6 +137,9 @@ class BlockHandles : public QObject {
   /// Where the part that was typed stands for an expression: the corner follows, so that the face opposite of
   /// it, or the middle of the block, stays.
   void bindCorner(const Standing& was, BlockPart part, const std::string& expression);
+  /// Where a rotation stands for an expression, and the corner hung on it when the pull began: the corner
+  /// hangs on it as the block stands now.
+  void bindCornerAnew();
   void giveUp();
   void endPull();
   void choose(std::optional<BlockPart> part);

@@ -31,18 +31,24 @@ CornerExpressions cornerOfSize(const BlockPlacement& placed, int axis, const std
   return corner;
 }
 
-CornerExpressions cornerOfTurn(const BlockPlacement& placed, const std::string& degrees) {
-  // The corner is middle − M Rz(v) half, where M are the turns before that about z.
-  const Eigen::Vector3d half = 0.5 * placed.size, middle = placed.box().center();
-  const Eigen::Matrix3d before = rotationFromAngles({placed.rotation.x(), placed.rotation.y(), 0});
+CornerExpressions cornerOfTurn(const BlockPlacement& placed, int axis, const std::string& degrees) {
+  // The corner is middle − M R(v) half, where M are the turns before that one, and those after it turn half.
+  const Eigen::Vector3d middle = placed.box().center();
+  Eigen::Vector3d first = placed.rotation, last = placed.rotation;
+  for (int i = 0; i < 3; ++i) (i < axis ? last : first)[i] = 0;
+  last[axis] = 0;
+  const Eigen::Matrix3d before = rotationFromAngles(first);
+  const Eigen::Vector3d half = rotationFromAngles(last) * (0.5 * placed.size);
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const std::string angle = "(pi*(" + degrees + ")/180)";
   CornerExpressions corner;
   for (int i = 0; i < 3; ++i) {
-    const double byCos = before(i, 0) * half.x() + before(i, 1) * half.y(),
-                 bySin = before(i, 1) * half.x() - before(i, 0) * half.y();
+    const double byCos = before(i, u) * half[u] + before(i, v) * half[v],
+                 bySin = before(i, v) * half[u] - before(i, u) * half[v];
     const std::string terms =
         less(byCos, half.norm(), "cos" + angle) + less(bySin, half.norm(), "sin" + angle);
-    if (!terms.empty()) corner[std::size_t(i)] = roundTripText(middle[i] - before(i, 2) * half.z()) + terms;
+    if (!terms.empty())
+      corner[std::size_t(i)] = roundTripText(middle[i] - before(i, axis) * half[axis]) + terms;
   }
   return corner;
 }

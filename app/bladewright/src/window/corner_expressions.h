@@ -19,7 +19,7 @@ using CornerExpressions = std::array<std::optional<std::string>, 3>;
 /// the face at the corner moves.
 CornerExpressions cornerOfSize(const BlockPlacement& placed, int axis, const std::string& size);
 
-/// Keeps the middle of a block where it is, while its turn about its own z stands for `degrees`.
-CornerExpressions cornerOfTurn(const BlockPlacement& placed, const std::string& degrees);
+/// Keeps the middle of a block where it is, while one of its rotations (0 x, 1 y, 2 z) stands for `degrees`.
+CornerExpressions cornerOfTurn(const BlockPlacement& placed, int axis, const std::string& degrees);
 
 }  // namespace bw::app

@@ -309,17 +309,18 @@ void Inspector::makeBlock() {
   column->addGap();
   gridColumn_ = column->addWide(new FormColumn);
   gridFields_ = new GridFields(bench_, gridColumn_, this);
+  FormColumn* left = column->addWide(new FormColumn);
+  left->addHeading(tr("After its cuts"));
   togetherColumn_ = column->addWide(new FormColumn);
-  togetherColumn_->addHeading(tr("After all of its cuts"));
   const auto solid = [this]() -> const geometry::Part* {
     const pipeline::BlockEvaluation* shown = block();
     const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
     return part && part->solid ? &*part->solid : nullptr;
   };
   const auto volume = [](double mm3) { return shortNumber(mm3 * 1e-9) + " m³"; };
-  addValue(togetherColumn_, tr("Foam left"), tr("What is left of the block, once the hand has rested"),
+  addValue(left, tr("Foam left"), tr("What is left of the block, once the hand has rested"),
            [solid, volume] { return solid() ? volume(solid()->volume()) : QString(); });
-  addValue(togetherColumn_, tr("Foam removed"), tr("What the cuts take of the block"), [solid, volume] {
+  addValue(left, tr("Foam removed"), tr("What the cuts take of the block"), [solid, volume] {
     return solid() ? volume(solid()->blockVolume() - solid()->volume()) : QString();
   });
   const auto worst = [this]() -> const Crease* {

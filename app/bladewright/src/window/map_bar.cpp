@@ -183,6 +183,7 @@ QWidget* MapBar::makeLayers() {
   line(tr("Cut surface"), shows<Kind::cut>, Kind::cut);
   line(tr("Block"), shows<Kind::block>, Kind::block);
   line(tr("Part of several cuts"), shows<Kind::part>);
+  line(tr("Part of a single cut"), switchOf<&scene::Style::partsOfOneCut>);
   line(tr("Creases between cuts"), shows<Kind::crease>);
   line(tr("Key blades that none can be"), shows<Kind::told>);
   line(tr("Stations"), shows<Kind::station>);

@@ -147,9 +147,7 @@ QTreeWidgetItem* ObjectTree::addLine(QTreeWidgetItem* parent, const QString& tex
   lines_.push_back(line);
   item->setText(name, text);
   if (icon) item->setIcon(name, iconOf(icon, theme_.colours().secondary));
-  const bool named = line.object && line.object->kind != Object::Kind::stations &&
-                     (!bench_.design().grid || line.object->kind == Object::Kind::surface ||
-                      line.object->kind == Object::Kind::curve);
+  const bool named = line.object && line.object->kind != Object::Kind::stations;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (named ? Qt::ItemIsEditable : Qt::NoItemFlags));
   return item;
 }
@@ -264,10 +262,14 @@ void ObjectTree::paint(QTreeWidgetItem& item) {
   sign(seen, hidden ? "eye-off" : "eye", hidden,
        hidden ? tr("%1 is hidden").arg(what) : tr("%1 is shown").arg(what));
   item.setForeground(name, hidden ? c.secondary : c.text);
-  if (line.object->kind == Object::Kind::stations) return;
+  const bool stations = line.object->kind == Object::Kind::stations;
   const bool locked = bench_.locked(*line.object);
   sign(kept, locked ? "lock" : "lock-open", locked,
-       locked ? tr("%1 is locked: nothing changes it").arg(what) : tr("%1 may be changed").arg(what));
+       stations ? locked ? tr("How many stations there are is locked: nothing changes it")
+                         : tr("How many stations there are may be changed")
+       : locked ? tr("%1 is locked: nothing changes it").arg(what)
+                : tr("%1 may be changed").arg(what));
+  if (stations) return;
   const bool named = item.flags() & Qt::ItemIsEditable;
   item.setToolTip(name, named ? tr("%1 (F2 gives it another name)").arg(what) : what);
 }
@@ -335,7 +337,7 @@ void ObjectTree::toggle(const QTreeWidgetItem& item, int column) {
   if (!object) return;
   if (column == seen)
     bench_.setHidden(*object, !bench_.hidden(*object));
-  else if (object->kind != Object::Kind::stations)
+  else
     bench_.setLocked(*object, !bench_.locked(*object));
 }
 

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "bw/core/design/cut_list.h"
 #include "bw/core/design/surface_curves.h"
 #include "bw/core/text/printable.h"
 
 namespace bw::app {
 
 namespace {
-
-constexpr std::size_t kLongest = 60;  // characters of a name
 
 template <class Part>
 const Part* find(const std::vector<Part>& parts, const std::string& id) {
@@ -51,9 +50,47 @@ bool sameCurve(const Design& before, const Design& after, const std::string& id)
   return false;
 }
 
+/// An id that several of the parts have.
 template <class Part>
-bool taken(const std::vector<Part>& parts, const Object& object, const std::string& name) {
-  return name != object.id && find(parts, name);
+std::optional<std::string> twice(const std::vector<Part>& parts) {
+  std::set<std::string> ids;
+  for (const Part& part : parts)
+    if (!ids.insert(part.id).second) return part.id;
+  return std::nullopt;
+}
+
+/// "cut" of "cut-column-2" in the block column-2; empty where a cut is not called after its block.
+std::string stemOf(const std::string& id, const std::string& block) {
+  const std::string end = "-" + block;
+  return id.size() > end.size() && id.ends_with(end) ? id.substr(0, id.size() - end.size()) : std::string();
+}
+
+/// Calls a block otherwise, and its cuts, which a grid calls after it, with it.
+void nameBlock(Design& design, const std::string& from, const std::string& to) {
+  if (design.grid)
+    for (const BlockGrid::Cell& cell : design.grid->cells()) {
+      if (cell.id != from) continue;
+      if (cell.place == to)
+        design.grid->names.erase(cell.place);
+      else
+        design.grid->names[cell.place] = to;
+    }
+  exchange(design.stock, &StockBlock::id, from, to);
+  for (Cut& cut : design.cuts) {
+    if (cut.block != from) continue;
+    if (const std::string stem = stemOf(cut.id, from); design.grid && !stem.empty()) cut.id = stem + "-" + to;
+    cut.block = to;
+  }
+}
+
+/// Calls a cut otherwise, and those of other blocks of a grid that go with it alike.
+void nameCut(Design& design, const std::string& from, const std::string& to) {
+  const Cut cut = *find(design.cuts, from);
+  const std::string stem = stemOf(to, cut.block);
+  for (const Cut& one : cutsTogether(design, cut))
+    exchange(design.cuts, &Cut::id, one.id,
+             design.grid && !stemOf(one.id, one.block).empty() ? (stem.empty() ? to : stem) + "-" + one.block
+                                                               : to);
 }
 
 }  // namespace
@@ -86,6 +123,7 @@ std::vector<Object> objectsOf(const PartIds& marked) {
 }
 
 std::string nameOf(const Design& design, const Object& object) {
+  if (object.kind == Object::Kind::stations) return "stations of " + object.id;
   const std::optional<CurveOfSource> curve =
       object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt;
   if (!curve) return object.id;
@@ -119,28 +157,22 @@ Result<Design> renamed(const Design& design, const Object& object, const std::st
   const auto refuse = [](const std::string& why) { return fail(ErrorCode::badInput, why, "name"); };
   if (const auto curve = object.kind == Object::Kind::curve ? curveOf(design, object.id) : std::nullopt)
     return curveRenamed(design, *curve, name);
-  if (design.grid && object.kind != Object::Kind::surface)
-    return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
-  if (name.find_first_not_of(" \t") == std::string::npos) return refuse("a name must not be empty");
-  if (name.size() > kLongest) return refuse("a name has " + std::to_string(kLongest) + " characters at most");
-  if (name.find_first_of("/\\:*?\"<>|") != std::string::npos || name.front() == '.' ||
-      printable(name) != name)
-    return refuse(
-        "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it");
-  const bool isTaken = object.kind == Object::Kind::block     ? taken(design.stock, object, name)
-                       : object.kind == Object::Kind::surface ? taken(design.sources, object, name)
-                                                              : taken(design.cuts, object, name);
-  if (isTaken) return refuse("there is another \"" + name + "\"; choose another name");
+  if (const std::string why = whyNoFileName(name); !why.empty()) return refuse(why);
   Design changed = design;
-  if (object.kind == Object::Kind::block) {
-    exchange(changed.stock, &StockBlock::id, object.id, name);
-    exchange(changed.cuts, &Cut::block, object.id, name);
-  } else if (object.kind == Object::Kind::surface) {
+  std::optional<std::string> taken;
+  if (object.kind == Object::Kind::surface) {
     exchange(changed.sources, &Source::id, object.id, name);
     exchange(changed.cuts, &Cut::source, object.id, name);
+    taken = twice(changed.sources);
+  } else if (object.kind == Object::Kind::block) {
+    nameBlock(changed, object.id, name);
+    taken = twice(changed.stock);
+    if (!taken) taken = twice(changed.cuts);
   } else {
-    exchange(changed.cuts, &Cut::id, object.id, name);
+    nameCut(changed, object.id, name);
+    taken = twice(changed.cuts);
   }
+  if (taken) return refuse("there is another \"" + *taken + "\"; choose another name");
   return changed;
 }
 
@@ -169,7 +201,8 @@ std::optional<Object> firstChanged(const std::vector<Object>& objects, const Des
       case Object::Kind::stations:
         break;
     }
-    return false;
+    const Cut *then = find(before.cuts, object.id), *now = find(after.cuts, object.id);
+    return then && (!now || now->sections != then->sections);
   });
   return changed == objects.end() ? std::nullopt : std::optional(*changed);
 }

@@ -34,8 +34,8 @@ std::string nameOf(const Design& design, const Object& object);
 
 /// The design with another name for a block, a cut, a source or a curve wherever it stands; an empty one
 /// calls a curve after its place again. Error `badInput`, with what to do: a name that is empty, taken,
-/// longer than 60 characters or, but for curves, with one that no file can have; blocks and cuts of a grid,
-/// which have their names from their place.
+/// longer than 60 characters or, but for curves, with one that no file can have. A block of a grid has its
+/// cuts called after it; a cut of a grid is renamed with those of the other blocks, which end in their names.
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
 
 /// The first of these objects that is another in `after`, or gone, or in which something is: a cut holds its

@@ -446,7 +446,9 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
   }
   if (const auto kept = firstChanged(objectsOf(document_.marks().locked), design(), after)) {
     tell(Topic::locked, Severity::info,
-         tr("Locked: %1 stays as it is; its lock in the tree of objects lets it be changed")
+         (kept->kind == Object::Kind::stations
+              ? tr("Locked: %1 stay as they are; their lock in the tree of objects lets them be changed")
+              : tr("Locked: %1 stays as it is; its lock in the tree of objects lets it be changed"))
              .arg(QString::fromStdString(printable(nameOf(design(), *kept)))));
     // Fields show what is there.
     return tellChanged(Aspect::design);
@@ -489,9 +491,15 @@ Result<void> Workbench::rename(const Object& object, const std::string& name) {
   if (name == object.id && !isCurve) return {};
   const Result<Design> changed = renamed(design(), object, name);
   if (!changed) return refuse(Topic::declined, changed.error());
+  // Cuts that a grid calls after their blocks are called otherwise with these.
+  std::vector<std::pair<std::string, std::string>> cuts;
+  for (std::size_t i = 0; i < design().cuts.size(); ++i)
+    if (design().cuts[i].id != changed->cuts[i].id)
+      cuts.emplace_back(design().cuts[i].id, changed->cuts[i].id);
   Selection next = selection_;
   if (object.kind == Object::Kind::block && next.block == object.id) next.block = name;
-  if (object.kind == Object::Kind::cut && next.cut == object.id) next.cut = name;
+  for (const auto& [from, to] : cuts)
+    if (selection_.cut == from) next.cut = to;
   const std::string was = isCurve ? nameOf(design(), object) : object.id;
   editDesign(tr("Rename %1").arg(QString::fromStdString(printable(was))),
              [&changed](Design& design) { design = *changed; });
@@ -499,12 +507,13 @@ Result<void> Workbench::rename(const Object& object, const std::string& name) {
   if (design() != *changed || isCurve) return {};
   // The old name stays hidden too: undo brings it back.
   PartMarks marks = document_.marks();
-  const auto followName = [&](Object::Kind kind) {
+  const auto followName = [&](Object::Kind kind, const std::string& from, const std::string& to) {
     std::set<std::string>& ids = idsOf(marks.hidden, kind);
-    if (ids.contains(object.id)) ids.insert(name);
+    if (ids.contains(from)) ids.insert(to);
   };
-  followName(object.kind);
-  if (object.kind == Object::Kind::cut) followName(Object::Kind::stations);
+  if (object.kind != Object::Kind::cut) followName(object.kind, object.id, name);
+  for (const auto& [from, to] : cuts)
+    for (const Object::Kind kind : {Object::Kind::cut, Object::Kind::stations}) followName(kind, from, to);
   document_.setMarks(std::move(marks));
   if (next != selection_) select(next);
   emit objectsChanged();

@@ -60,9 +60,10 @@ struct Travel {
   Eigen::Vector3d direction;
 };
 
-/// What is left of the block of that id.
+/// What is left of the block of that id; of a single cut it is shown where the style says so.
 struct FoamPart {
   TriangleMesh mesh;
+  bool ofOneCut = false;
 };
 
 /// Where two cut surfaces of a block meet, by the block, the one as `cut` and the other as `strip` of its id:
@@ -92,6 +93,7 @@ struct Item {
 /// What a picture shows, as plain values.
 struct Content {
   std::vector<Item> items;
+  std::optional<double> covered = std::nullopt;  ///< share of the targets that is cut; empty: not known
 
   /// The first thing of that sort, or null.
   template <class Thing>
@@ -175,6 +177,7 @@ struct Style {
   bool isolines = false;
   bool legend = true;
   bool showGrid = true;
+  bool partsOfOneCut = false;                ///< also what a single cut leaves of its block
   double tolerance = 2.0;                    ///< mm: the band of the deviation map that stays pale
   std::optional<double> rangeMin, rangeMax;  ///< of the legend; empty = round numbers around the data
   ItemId selected;                           ///< a station, or none

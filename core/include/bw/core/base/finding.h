@@ -471,6 +471,12 @@ struct GripErrors {
   double error = 0, angle = 0;  ///< mm and rad that the grip is off
   double tolerance = 0;
 };
+/// A grip that is off may take up all the slack of the blade, and pulls it then.
+struct PulledByGrips {
+  static constexpr FindingKind kind = FindingKind::gripErrors;
+  double slack = 0, error = 0;  ///< mm, that the blade has, and that the grip is off
+  double stress = 0;            ///< N/mm² in the blade, if neither robot nor grip gives way
+};
 /// A shape that is held does not stay so where a grip is off.
 struct HeldByLittle {
   static constexpr FindingKind kind = FindingKind::gripErrors;
@@ -607,8 +613,8 @@ using Cause = std::variant<
     SnapsInWeight, MovedByWeight, BentSideways, WeightElsewhere, UnknownInWeight, WouldTwist, GripTooNear,
     NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, OutsideBlocks, BladeCrosses,
     ToldBlades, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
-    TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff, ServingLengths, GripErrors, HeldByLittle,
-    SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
+    TooFarOnTheWay, OffTheSurfaceShown, TooFastOnTheWay, SkinOff, ServingLengths, GripErrors, PulledByGrips,
+    HeldByLittle, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
     SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
     FacesLeftOut, TravelAcross, PlanesNotTurned, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
     OddSize, EarlierDesign, JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled, BlocksMissed,

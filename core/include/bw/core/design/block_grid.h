@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,14 +27,21 @@ struct BlockGrid {
   std::array<std::vector<double>, 3> sizes = {{{600}, {800}, {500}}};
   /// mm between neighbours: one fewer.
   std::array<std::vector<double>, 3> gaps = {};
+  /// Of blocks that have one, by what their place calls them.
+  std::map<std::string, std::string> names = {};
   bool operator==(const BlockGrid&) const = default;
 
   struct Cell {
-    std::string id;  ///< "column-2", "column-2-row-1": of the ways that have more than one
+    std::string id;     ///< its name, or what its place calls it
+    std::string place;  ///< "column-2", "column-2-row-1": of the ways that have more than one
     BlockPlacement placement;
   };
   /// All blocks: columns first, then rows, then layers.
   std::vector<Cell> cells() const;
+  /// What the place of a block calls it, by its column, row and layer from 0.
+  std::string placeName(const std::array<std::size_t, 3>& index) const;
+  /// Takes names off places that there are none of.
+  void dropNames();
   std::size_t count() const { return sizes[0].size() * sizes[1].size() * sizes[2].size(); }
   /// mm from its first face along a way (0 columns, 1 rows, 2 layers) to its last.
   double extent(std::size_t way) const;

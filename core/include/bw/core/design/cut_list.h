@@ -14,13 +14,17 @@ namespace bw {
 /// The design with another cut of the block of the cut `beside`, behind all others, and its id. Its surface
 /// is one of its own where that of `beside` is designed: 4 × 6 poles over the block as it is `placed`, which
 /// fall along y from three quarters of its height to a quarter; else the largest face of the same file. It
-/// lies, travels and is cut into as many stations as `beside`. Under a grid each block gets one. Error
-/// `badInput`: as many cuts or sources as a design may have.
+/// lies, travels and is cut into as many stations as `beside`. Under a grid each block gets one of a
+/// file, and this one alone one with a surface of its own. Error `badInput`: as many cuts or sources as a
+/// design may have.
 struct AnotherCut {
   Design design;
   std::string id;
 };
 Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const BlockPlacement& placed);
+
+/// The cuts that go together: those of all blocks of a grid that are called alike, or the one.
+std::vector<Cut> cutsTogether(const Design& design, const Cut& cut);
 
 /// True if the block has another cut, so that this one may go, and under a grid each block whose goes with
 /// it.

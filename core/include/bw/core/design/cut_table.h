@@ -12,9 +12,9 @@
 
 namespace bw {
 
-/// The table as CSV: a line of names (block, id, source, face, near, direction, face_up, turn_deg, keep,
-/// order, stations, sections, blade_length), then one a cut. Cells hold what a design file has under these
-/// keys; lists and objects as JSON. Numbers have all their digits.
+/// The table as CSV: a line of names (block, id, source, face, near, direction, planes, face_up, turn_deg,
+/// keep, order, stations, sections, blade_length), then one a cut. Cells hold what a design file has under
+/// these keys; lists and objects as JSON. Numbers have all their digits.
 std::string cutTableCsv(const Design& design);
 /// The same as JSON, `{"cuts": [{…}, …]}`.
 std::string cutTableJson(const Design& design);

@@ -19,7 +19,7 @@ struct PartIds {
 /// not written.
 struct PartMarks {
   PartIds hidden = {};
-  PartIds locked = {};  ///< no stations
+  PartIds locked = {};  ///< of stations their number, and how sections are laid through the surface
   bool operator==(const PartMarks&) const = default;
 };
 

@@ -50,6 +50,8 @@ struct BladePose {
   double minRadius() const;
   /// True if the blade crosses itself.
   bool crossesItself() const { return heavy ? heavy->selfIntersects() : blade.selfIntersects(); }
+  /// mm by which the blade is longer than the way between its grips; 0 of one that is held straight.
+  double slack() const;
   /// True if the grips lie the other way round than the ends of the part that cuts.
   bool gripsSwapped() const;
   /// The farthest that weight moves the part that cuts from `cut`, mm; 0 without weight.

@@ -40,7 +40,7 @@ struct StationCheck {
   double clearance = 0;                ///< mm between the nearer grip and the block; negative inside it
   double aboveBottom = 0;  ///< mm of the lowest point of the blade over the face the block lies on
   double stabilityMargin =
-      1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
+      1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`), or snapped
   double outOfPlaneMargin =
       1;  ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
   bool nearBottom = false;  ///< nearer to that face than the floor that was asked for
@@ -64,8 +64,8 @@ struct StationVelocity {
 struct SweepCheck {
   std::vector<StationCheck> stations;
   std::vector<StationVelocity> velocities;
-  /// mm, how far across itself the part that cuts moves if one grip is off by as much as the request says, to
-  /// first order, at points of equal shares of its length; infinite where the blade is about to snap.
+  /// mm, how far across itself the part that cuts moves if one grip is off by as much as the request says, at
+  /// points of equal shares of its length; infinite where the blade snaps by it.
   std::vector<std::vector<double>> movedByGrip;
 };
 

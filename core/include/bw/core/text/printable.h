@@ -13,6 +13,10 @@ namespace bw {
 /// hides a word or feigns a second message. All else stays, byte for byte. O(n).
 std::string printable(std::string_view text);
 
+/// Why files cannot be called after a name: it is blank, has more than 60 bytes, begins with a point, has
+/// blanks at its ends, or signs that file names do without. Empty if they can.
+std::string whyNoFileName(const std::string& name);
+
 /// True for well-formed UTF-8: no overlong forms, no surrogates.
 bool isUtf8(std::string_view text);
 

@@ -36,9 +36,10 @@ struct ProgramNotes {
 
 /// CSV, "motion.csv": header with units, one row an instant, positions and quaternions of every end. The
 /// directions of approach and retreat are not in it.
-Result<Program> writeCsv(const Motion& motion);
-/// JSON with a schema version, "motion.json"; numbers round-trip.
-Result<Program> writeJson(const Motion& motion, const Cell& cell);
+Result<Program> writeCsv(const Motion& motion, const ProgramNotes& notes = {});
+/// JSON with a schema version, "motion.json"; numbers round-trip. Errors of the design stand in both: in
+/// lines before the header that begin with "# NOT SAFE TO RUN: ", and as the list "not_safe_to_run".
+Result<Program> writeJson(const Motion& motion, const Cell& cell, const ProgramNotes& notes = {});
 
 /// Reads back what the writers emit. An older JSON text has no approach and retreat; its motion tells none.
 Result<Motion> readCsv(std::string_view text);
