@@ -150,6 +150,17 @@ Result<Findings> findingsOf(const Session& session, const std::filesystem::path&
   const std::string about = changed ? designAbout(path) : std::string();
   std::error_code error;
   const bool isResult = pipeline::isResultFolder(path);
+  constexpr std::size_t kShown = 5;
+  const std::vector<std::string> errors =
+      isResult ? pipeline::errorsOfReport(path) : std::vector<std::string>();
+  const auto tell = [&](std::string text) {
+    findings.push_back(
+        {Severity::error, ProgramBreach{"design-errors", "report.json", std::move(text)}, {}, {}});
+  };
+  for (std::size_t i = 0; i < std::min(kShown, errors.size()); ++i)
+    tell("the design has an error: " + errors[i]);
+  if (errors.size() > kShown)
+    tell("the design has " + std::to_string(errors.size() - kShown) + " more errors");
   if (isResult && !holdsPrograms(path)) return findings;  // the design has none
   const std::filesystem::path programs = path / "programs";
   std::vector<std::filesystem::path> places = stripsBelow(isResult ? programs : path);

@@ -627,6 +627,9 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
   EXPECT_EQ(tight.status, 1) << tight.err;
   EXPECT_NE(tight.err.find("which a touch may bring about"), std::string::npos) << tight.err;
   EXPECT_NE(tight.err.find("no RAPID program is written"), std::string::npos) << tight.err;
+  const Finished checked = blade({"check", folder / "out"});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_NE(checked.out.find("report.json: the design has an error: "), std::string::npos) << checked.out;
   const nlohmann::json lost = report();
   EXPECT_EQ(lost["strips"][0]["stations"][14]["certainty"], "lost");
   EXPECT_LT(lost["strips"][0]["stations"][0]["barrier_Nmm"], 1);

@@ -4,7 +4,10 @@
 // Blocks of a design that are laid out by another grid.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bw/core/design/grid_change.h"
+#include "bw/core/design/variables.h"
 
 namespace bw {
 namespace {
@@ -62,9 +65,50 @@ TEST(GridChange, BlocksThatStayKeepTheirCuts) {
   EXPECT_EQ(four.cuts[1].sections.stations, 21);
   EXPECT_EQ(four.cuts[3].sections.stations, 9);
   const Design rows = with(two, 1, 2, "column-2");
-  ASSERT_EQ(rows.cuts.size(), 4u) << "all of other names";
-  for (const Cut& cut : rows.cuts) EXPECT_EQ(cut.sections.stations, 21);
+  ASSERT_EQ(rows.cuts.size(), 4u);
+  EXPECT_EQ(rows.cuts[0].id, "cut-column-1-row-1");
+  EXPECT_EQ(rows.cuts[0].sections.stations, 9) << "it stays, by another name";
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(rows.cuts[i].sections.stations, 21) << i;
   EXPECT_EQ(over(rows).max, Eigen::Vector2d(1200, 1600));
+}
+
+TEST(GridChange, ACutOfOneBlockStaysInItWithNamesAndExpressions) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "variables": [{"name": "n", "value": 7, "min": 2, "max": 40}],
+    "sources": [{"id": "a", "surface": {"type": "formula", "formula": "100"}},
+                {"id": "b", "surface": {"type": "formula", "formula": "150"}}],
+    "grid": {"columns": 3, "names": {"column-2": "A2"}},
+    "cuts": [{"id": "cut", "source": "a", "stations": "=n"},
+             {"id": "cut2-A2", "source": "b", "block": "A2", "stations": "=n+1"}]})");
+  ASSERT_EQ(design.cuts.size(), 4u);
+  const auto ids = [](const Design& of) {
+    std::vector<std::string> all;
+    for (const Cut& cut : of.cuts) all.push_back(cut.block + "/" + cut.id);
+    std::ranges::sort(all);
+    return all;
+  };
+  const auto follows = [](const Design& of, const std::string& id) {
+    const Design changed = withVariables(of, {{"n", 20}}).value();
+    return *std::ranges::find(changed.cuts, id, &Cut::id)->sections.stations;
+  };
+  using Ids = std::vector<std::string>;
+  const Design two = with(design, 0, 2, "A2");
+  EXPECT_EQ(ids(two), (Ids{"A2/cut-A2", "A2/cut2-A2", "column-1/cut-column-1"}));
+  EXPECT_EQ(follows(two, "cut-A2"), 20);
+  EXPECT_EQ(follows(two, "cut2-A2"), 21);
+  EXPECT_EQ(*parseDesign(designToJson(two)), two);
+  const Design rows = with(design, 1, 2, "A2");
+  EXPECT_EQ(rows.grid->names, (std::map<std::string, std::string>{{"column-2-row-1", "A2"}}));
+  EXPECT_EQ(rows.cuts.size(), 7u);
+  EXPECT_EQ(std::ranges::count(rows.cuts, std::string("b"), &Cut::source), 1);
+  EXPECT_EQ(follows(rows, "cut2-A2"), 21);
+  EXPECT_EQ(follows(rows, "cut-column-3-row-2"), 20);
+  EXPECT_EQ(*parseDesign(designToJson(rows)), rows);
+  // And back, as it was; one alone is the first, which never had it.
+  EXPECT_EQ(with(rows, 1, 1, "A2"), design);
+  const Design one = with(design, 0, 1, "A2");
+  EXPECT_EQ(ids(one), Ids{"block-1/cut"});
+  EXPECT_EQ(follows(one, "cut"), 20);
 }
 
 TEST(GridChange, MoreAreAsLargeAsTheLastOrShareWhatThereIs) {

@@ -432,6 +432,32 @@ TEST(HeavyBranch, StridesEndWhereManySmallStepsDo) {
   EXPECT_GT(ended, 0);
 }
 
+TEST(HeavyBranch, PassesBesideAnotherThatComesNear) {
+  // A flat blade over a gentle wave that its grips push together: where it may nearly go either way (margin
+  // 0.0063 at 0.62 of the way, by collocation in 400 steps) a stride went over to the shape between both, and
+  // the blade was said to snap.
+  HeavyProblem problem;
+  problem.grips.start = {-52.97372841477727, 141.32318467191766};
+  problem.grips.end = {800.4997084154635, 152.78468864421762};
+  problem.grips.startAngle = 0.14246311669213382;
+  problem.grips.endAngle = 0.06310822113523153;
+  problem.grips.length = 855;
+  problem.stiffness = 83333.33333333334;
+  problem.weight = {0, -0.0004069759750000001};
+  const Result<HeavyAnswer> answer = solveHeavy(problem);
+  ASSERT_TRUE(answer);
+  Result<HeavyBranch> branch = HeavyBranch::from(problem, answer->solutions[0]);
+  ASSERT_TRUE(branch);
+  HeavyProblem next = problem;
+  next.grips.start += 0.5 * (problem.grips.end - problem.grips.start).normalized();
+  *next.grips.startAngle -= fromDegrees(0.2);
+  const Result<ClampedBranch::Move> move = branch->moveTo(next);
+  ASSERT_TRUE(move) << move.error().message;
+  EXPECT_FALSE(move->snapped) << move->reached;
+  EXPECT_NEAR(branch->blade().at(427.5).point.y(), 156.775, 0.02);
+  EXPECT_LT(strayFrom(branch->blade()), 1e-7);
+}
+
 TEST(HeavyBranch, StaysWhereItIsWhenItsWorkIsSpent) {
   std::mt19937 random(29);
   const HeavyProblem problem = heavyOf(randomGrips(random, 0.4), 2 * kFlatWeight);

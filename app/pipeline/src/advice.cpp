@@ -145,6 +145,9 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
   if (const std::optional<double>& best = lengths.best) {
     cause.said = blade.autoLength ? Said::taken : Said::others;
     cause.best = *best;
+    for (const Findings* told : {&cut.analysis.findings, &cut.coverage.findings, &cut.way.findings,
+                                 &cut.motion.findings, &cut.simulated.findings})
+      cause.atStationsAlone = cause.atStationsAlone || (blade.autoLength && exceedsLimit(*told));
     for (const BladeLengths::Band& band : lengths.bands())
       if (band.from <= cause.best && cause.best <= band.to) {
         cause.from = band.from;

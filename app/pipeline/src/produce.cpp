@@ -192,6 +192,12 @@ Result<FileSet> programsOf(const Evaluation& e, const Strip& strip, const Cell& 
   return files;
 }
 
+std::string lowered(std::string name) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return name;
+}
+
 /// A block's id as the name of a folder.
 std::string folderName(const std::string& id) {
   std::string name;
@@ -201,7 +207,15 @@ std::string folderName(const std::string& id) {
     name += plain ? c : '_';
   }
   constexpr std::size_t kLongest = 60;
-  return name.substr(0, kLongest);
+  name.resize(std::min(kLongest, name.size()));
+  // Folders go to machines that know no point at an end, and have names of their own.
+  if (name.ends_with('.')) name.back() = '_';
+  const std::string low = lowered(name);
+  for (const char* device : {"con", "prn", "aux", "nul"})
+    if (low == device) name += '_';
+  if (low.size() == 4 && (low.starts_with("com") || low.starts_with("lpt")) && low[3] > '0' && low[3] <= '9')
+    name += '_';
+  return name;
 }
 
 }  // namespace
@@ -219,7 +233,7 @@ std::filesystem::path stripFolder(const Evaluation& e, const Strip& strip) {
   if (e.blocks.size() < 2) return own;
   std::string name = folderName(strip.block->id);
   const auto same = std::ranges::count_if(
-      e.blocks, [&](const BlockEvaluation& block) { return folderName(block.id) == name; });
+      e.blocks, [&](const BlockEvaluation& block) { return lowered(folderName(block.id)) == lowered(name); });
   if (same > 1) name += "-" + std::to_string(strip.block - e.blocks.data() + 1);
   return fs::path(name) / own;
 }

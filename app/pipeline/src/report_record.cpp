@@ -53,6 +53,19 @@ void readLengths(const json& report, ReportRecord& record) {
   }
 }
 
+/// The errors that it tells among its issues.
+void readErrors(const json& report, ReportRecord& record) {
+  const auto issues = report.find("issues");
+  if (issues == report.end() || !issues->is_array()) return;
+  const auto textOf = [](const json& issue, const char* key) {
+    const auto text = issue.find(key);
+    return text != issue.end() && text->is_string() ? text->get<std::string>() : std::string();
+  };
+  for (const json& issue : *issues)
+    if (issue.is_object() && textOf(issue, "severity") == severityName(Severity::error))
+      record.errors.push_back(textOf(issue, "message"));
+}
+
 }  // namespace
 
 Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
@@ -79,6 +92,7 @@ Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   if (const auto run = report.find("run"); run != report.end() && run->is_string())
     record.run = run->get<std::string>();
   readLengths(report, record);
+  readErrors(report, record);
   if (const auto files = report.find("files"); files != report.end() && files->is_array())
     for (const json& name : *files)
       if (name.is_string() && staysInside(name.get<std::string>())) record.files.insert(name);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "bw/core/base/result.h"
 #include "bw/pipeline/pipeline.h"
@@ -21,6 +22,7 @@ struct ReportRecord {
   std::map<std::string, std::string> fingerprints;  ///< of those files, by the same paths
   CutLengths lengths;                               ///< of their blades
   std::set<std::string> found;                      ///< cuts for which they were sought, and found to serve
+  std::vector<std::string> errors;                  ///< of its design
 };
 
 /// Reads it. Nothing where there is no report.json, or somebody else's; an error where it cannot be read or

@@ -273,6 +273,11 @@ CutLengths lengthsMadeWith(const fs::path& folder) {
   return record && *record ? (*record)->lengths : CutLengths();
 }
 
+std::vector<std::string> errorsOfReport(const fs::path& folder) {
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+  return record && *record ? (*record)->errors : std::vector<std::string>();
+}
+
 CutLengths foundLengths(const fs::path& folder) {
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
   if (!record || !*record) return {};

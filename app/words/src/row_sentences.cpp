@@ -237,6 +237,7 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
       return none + mended;
     case Said::taken:
       return "the blade's length was left open: " + best + " was taken, which serves all stations" +
+             (cause.atStationsAlone ? ", though not all that lies between or beside them" : "") +
              (alone ? "" : "; " + stretch + " serve those that they were tried on");
     case Said::nearest:
       break;

@@ -4,7 +4,6 @@
 #include "bw/core/design/block_grid.h"
 
 #include <algorithm>
-#include <set>
 
 namespace bw {
 
@@ -50,12 +49,6 @@ std::string BlockGrid::placeName(const std::array<std::size_t, 3>& index) const 
     if (sizes[way].size() > 1)
       name += (name.empty() ? "" : "-") + std::string(kOne[way]) + std::to_string(index[way] + 1);
   return name.empty() ? "block-1" : name;
-}
-
-void BlockGrid::dropNames() {
-  std::set<std::string> places;
-  for (const Cell& cell : cells()) places.insert(cell.place);
-  std::erase_if(names, [&](const auto& name) { return !places.contains(name.first); });
 }
 
 double BlockGrid::extent(std::size_t way) const {

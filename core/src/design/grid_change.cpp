@@ -7,8 +7,13 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <set>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include "bw/core/design/cut_list.h"
+#include "design/grid_cuts.h"
 
 namespace bw {
 
@@ -16,16 +21,65 @@ namespace {
 
 constexpr double kSame = 1e-6;  // mm
 
-/// The cuts of a block without its name in theirs.
+/// Without the name of its block in its own.
+Cut withoutBlock(Cut cut) {
+  if (cut.id.size() > cut.block.size() + 1 && cut.id.ends_with("-" + cut.block))
+    cut.id.resize(cut.id.size() - cut.block.size() - 1);
+  cut.block.clear();
+  return cut;
+}
+
+/// Whether a cut is one of those that all blocks have.
+bool isOfAll(const Design& design, const Cut& cut) {
+  return !design.grid || cutsTogether(design, cut).size() == design.stock.size();
+}
+
+/// The cuts that all blocks have, as a block has them and without its name; where there are none, its own.
 std::vector<Cut> cutsLike(const Design& design, const std::string& block) {
-  std::vector<Cut> like;
-  for (Cut cut : design.cuts) {
-    if (cut.block != block) continue;
-    if (cut.id.size() > block.size() + 1 && cut.id.ends_with("-" + block))
-      cut.id.resize(cut.id.size() - block.size() - 1);
-    like.push_back(std::move(cut));
-  }
-  return like;
+  std::vector<Cut> like, own;
+  for (const Cut& cut : design.cuts)
+    if (cut.block == block) (isOfAll(design, cut) ? like : own).push_back(withoutBlock(cut));
+  return like.empty() ? own : like;
+}
+
+/// What the blocks of a grid are called in another one, where they have the same column, row and layer in it.
+std::map<std::string, std::string> idsAfter(const BlockGrid& before, const BlockGrid& after) {
+  const std::vector<BlockGrid::Cell> from = before.cells(), to = after.cells();
+  const auto placeIn = [](const BlockGrid& grid, std::size_t column, std::size_t row, std::size_t layer) {
+    return (layer * grid.sizes[1].size() + row) * grid.sizes[0].size() + column;
+  };
+  std::array<std::size_t, 3> both;
+  for (std::size_t way = 0; way < 3; ++way)
+    both[way] = std::min(before.sizes[way].size(), after.sizes[way].size());
+  std::map<std::string, std::string> ids;
+  for (std::size_t layer = 0; layer < both[2]; ++layer)
+    for (std::size_t row = 0; row < both[1]; ++row)
+      for (std::size_t column = 0; column < both[0]; ++column)
+        ids[from[placeIn(before, column, row, layer)].id] = to[placeIn(after, column, row, layer)].id;
+  return ids;
+}
+
+/// The grid with the names that blocks of the same column, row and layer had, unless it has others already.
+BlockGrid named(BlockGrid grid, const BlockGrid& before) {
+  if (grid.names != before.names) return grid;
+  grid.names.clear();
+  BlockGrid plain = before;
+  plain.names.clear();
+  const std::map<std::string, std::string> places = idsAfter(plain, grid);
+  for (const auto& [place, name] : before.names)
+    if (const auto there = places.find(place); there != places.end()) grid.names[there->second] = name;
+  return grid;
+}
+
+/// A cut in the block that its own is called now, and called after it where it was before; none where that
+/// block is gone.
+std::optional<Cut> carried(Cut cut, const std::map<std::string, std::string>& ids) {
+  const auto block = ids.find(cut.block);
+  if (block == ids.end()) return {};
+  const Cut bare = withoutBlock(cut);
+  if (bare.id != cut.id) cut.id = bare.id + "-" + block->second;
+  cut.block = block->second;
+  return cut;
 }
 
 /// Where the blocks of a grid end along a way, after where the first begins, mm.
@@ -187,13 +241,13 @@ bool isGone(const std::string& pointer, const std::string& place, const std::vec
          (pointer.size() > place.size() + 1 && std::stoul(pointer.substr(place.size() + 1)) >= list.size());
 }
 
-/// Expressions of parts that are counted otherwise now, and of lengths that are gone. One that is told for
+/// Expressions of blocks that are counted otherwise now, and of lengths that are gone. One that is told for
 /// all lengths of a way goes on for those that there are.
 void dropBindings(Design& design, const BlockGrid& before, const BlockGrid& grid) {
   const bool counted = before.count() != grid.count();
   std::erase_if(design.bindings, [&](const auto& bound) {
     const auto in = [&](const std::string& part) { return bound.first.starts_with(part); };
-    if (counted && (in("/cuts/") || in("/stock/"))) return true;
+    if (counted && in("/stock/")) return true;
     if (!design.grid) return in("/grid/");
     for (std::size_t way = 0; way < 3; ++way) {
       const std::string name = kGridWays[way];
@@ -203,6 +257,25 @@ void dropBindings(Design& design, const BlockGrid& before, const BlockGrid& grid
     }
     return false;
   });
+}
+
+/// The cuts in the order in which their expressions are told.
+std::vector<Cut> listed(const Design& design) { return detail::cutsUnderGrid(design).value_or(design.cuts); }
+
+/// Expressions go with their cuts: those of all blocks with these, the others with the block that they lie
+/// in.
+void carryBindings(Design& changed, const Design& from, const std::map<std::string, std::string>& ids,
+                   const std::string& like) {
+  std::vector<Cut> before = listed(from);
+  const std::string only = changed.grid ? std::string() : changed.block().id;
+  for (Cut& cut : before) {
+    if (cut.block.empty() || (!from.grid && cut.block == like))
+      cut.block.clear();
+    else if (std::optional<Cut> now = carried(cut, ids))
+      cut = changed.grid ? std::move(*now) : withoutBlock(std::move(*now));
+    if (!changed.grid) cut.block = only;
+  }
+  detail::moveCutBindings(changed.bindings, before, listed(changed));
 }
 
 }  // namespace
@@ -241,22 +314,23 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
   Design changed = design;
   for (Source& source : changed.sources)
     if (source.surface) reachOver(*source.surface, before, grid);
-  BlockGrid kept = grid;
-  kept.dropNames();
+  const BlockGrid kept = named(grid, before);
+  const std::map<std::string, std::string> ids = idsAfter(before, kept);
   changed.stock = stockOf(kept);
+  std::vector<Cut> own;
+  for (const Cut& cut : design.cuts)
+    if (std::optional<Cut> there = carried(cut, ids))
+      if (grid.count() > 1 || !isOfAll(design, cut)) own.push_back(std::move(*there));
   if (grid.count() == 1) {
     changed.grid.reset();
     changed.cuts = each;
+    for (Cut& cut : own) changed.cuts.push_back(withoutBlock(std::move(cut)));
     for (Cut& cut : changed.cuts) cut.block = changed.block().id;
   } else {
-    changed.grid = std::move(kept);
-    std::set<std::string> blocks;
-    for (const StockBlock& block : changed.stock) blocks.insert(block.id);
-    std::vector<Cut> own;
-    std::ranges::copy_if(design.cuts, std::back_inserter(own),
-                         [&](const Cut& cut) { return blocks.contains(cut.block); });
+    changed.grid = kept;
     changed.cuts = cutsOf(changed.stock, each, own);
   }
+  carryBindings(changed, design, ids, like);
   dropBindings(changed, before, grid);
   return changed;
 }

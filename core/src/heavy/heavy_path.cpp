@@ -138,6 +138,8 @@ constexpr int kMostSteps = 400;
 constexpr double kLongestStep = 0.6;   // rad: of a blade that is followed for its stability
 constexpr double kLongerPull = 0.2;    // of the pull in a blade that hangs taut, where that is more
 constexpr double kSnapsWithin = 1e-9;  // of the way: how exactly the end of a branch is told
+constexpr double kOnePoint = 1e-3;     // by which both sides of an end may lie apart, as step lengths count
+constexpr double kShorter = 0.25, kLonger = 1.6, kShortestOnward = 1e-4;
 
 /// As far as a step may lead from a shape: the pull in a blade with next to no slack grows a thousandfold.
 double longestFrom(const Way& way, const WayPoint& point) {
@@ -180,17 +182,22 @@ std::optional<Followed> follow(const Way& way, const Shape& start) {
   if (!isStable(way, last)) return Followed{last, true};
   if (detail::workExhausted()) return {};
   Path path(way, last, 1);
+  double longest = kLongestStep;  // of a step, less behind a place where one went over to another branch
   for (int i = 0; i < kMostSteps && last.part < 1 && !detail::workExhausted(); ++i) {
-    Path before = path;
-    const std::optional<WayPoint> point = path.next(longestFrom(way, last));
+    const Path before = path;
+    const double most = longestFrom(way, last);
+    const std::optional<WayPoint> point = path.next(longest < kLongestStep ? std::min(longest, most) : most);
     if (!point) return {};
     if (point->part > last.part && isStable(way, *point)) {
       last = *point;
+      longest = std::min(kLongestStep, kLonger * longest);
       continue;
     }
     // The stability ends between the last two: halve the stretch of the path.
-    double low = 0, high = (path.scaled(*point) - path.scaled(last)).norm();
+    const double stretch = (path.scaled(*point) - path.scaled(last)).norm();
+    double low = 0, high = stretch;
     WayPoint beyond = *point;
+    Path upTo = before;
     while (high - low > kShortestStep && std::abs(beyond.part - last.part) > kSnapsWithin) {
       Path probe = before;
       const double middle = 0.5 * (low + high);
@@ -200,12 +207,18 @@ std::optional<Followed> follow(const Way& way, const Shape& start) {
       if (rests) {
         last = *there;
         low = middle;
+        upTo = std::move(probe);
       } else {
         beyond = *there;
         high = middle;
       }
     }
-    return Followed{last, true};
+    // An end is one point. Where both sides lie apart the step went over to a branch that comes near, as
+    // where a blade may go either way: on from there in shorter ones.
+    longest = kShorter * stretch;
+    if ((path.scaled(beyond) - path.scaled(last)).norm() < kOnePoint || longest < kShortestOnward)
+      return Followed{last, true};
+    path = std::move(upTo);
   }
   if (last.part < 1) return {};
   return Followed{last, false};

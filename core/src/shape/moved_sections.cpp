@@ -34,8 +34,9 @@ constexpr double kFarthest = 50;    // times the reach, that a place is moved wi
 
 tl::unexpected<Error> cannot(const std::string& why, double value, double reach) {
   return fail(ErrorCode::badInput,
-              why + ", so that no blade keeps half the kerf of " + shortText(2 * reach) +
-                  " mm off it; ease the surface, make the kerf smaller, or choose another cutting direction",
+              why + ", so that no blade keeps the " + shortText(reach) +
+                  " mm off it that kerf and offset ask for; ease the surface, make these smaller, or choose "
+                  "another cutting direction",
               "kerf", value, reach);
 }
 

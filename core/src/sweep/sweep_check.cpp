@@ -132,9 +132,13 @@ std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness,
     const bool linear = isNear(nearer) && isNear(farther);
     if (!linear && (!grips.look(end, error, -worst, nearer) || !grips.look(end, -apart, worst, farther)))
       return unknown;
+    // What is left of an error that takes up the slack goes across.
+    const double rest = apart < error ? std::sqrt(1 - std::pow(apart / error, 2)) : 0;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
-      const double bends = std::max({nearer[k], farther[k], linear ? first[k] : 0.0});
-      farthest[k] = std::max(farthest[k], std::hypot(std::max(0.0, bends - turns[k]), shifts[k]) + turns[k]);
+      const double near = std::max(0.0, std::max(nearer[k], linear ? first[k] : 0.0) - turns[k]);
+      const double far = std::max(0.0, farther[k] - turns[k]);
+      farthest[k] = std::max({farthest[k], std::hypot(near, shifts[k]) + turns[k],
+                              (rest > 0 ? far + rest * shifts[k] : std::hypot(far, shifts[k])) + turns[k]});
     }
   }
   return farthest;

@@ -30,8 +30,8 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
     if (place().empty())
       return fail(
           ErrorCode::badInput,
-          "no expression can stand here, because the blocks lie in a grid: its file tells what is the "
-          "same for all of them");
+          "no expression can be typed here, because the blocks lie in a grid: those of their cuts are told "
+          "in the file of the design");
     return valueOver(bench, text);
   };
   const auto bind = [&bench, place, field = QPointer<NumberField>(field)](

@@ -37,6 +37,8 @@ Result<void> checkOneRun(const std::filesystem::path& folder, const std::string&
 /// The lengths of the blades that the results in a folder were made with, whether their design gave them or
 /// left them open. Empty where no report tells.
 CutLengths lengthsMadeWith(const std::filesystem::path& folder);
+/// The errors that the report of a folder of results tells of its design; none where it has no such report.
+std::vector<std::string> errorsOfReport(const std::filesystem::path& folder);
 /// Of these the ones that were sought, and found to serve: a search would find them again.
 CutLengths foundLengths(const std::filesystem::path& folder);
 

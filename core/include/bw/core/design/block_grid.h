@@ -40,8 +40,6 @@ struct BlockGrid {
   std::vector<Cell> cells() const;
   /// What the place of a block calls it, by its column, row and layer from 0.
   std::string placeName(const std::array<std::size_t, 3>& index) const;
-  /// Takes names off places that there are none of.
-  void dropNames();
   std::size_t count() const { return sizes[0].size() * sizes[1].size() * sizes[2].size(); }
   /// mm from its first face along a way (0 columns, 1 rows, 2 layers) to its last.
   double extent(std::size_t way) const;
