@@ -57,6 +57,23 @@ TEST(GridChange, OneBlockBecomesThreeSideBySideAndOneAgain) {
   EXPECT_EQ(one.sources, design.sources);
 }
 
+TEST(GridChange, ABlockOfAnyNameMayBecomeThree) {
+  // Also one that is called as the single block of a grid would be.
+  for (const char* id : {"block-1", "column-1", "A"}) {
+    Design design = single();
+    design.stock[0].id = design.cuts[0].block = id;
+    design.cuts.push_back(design.cuts[0]);
+    design.cuts[1].id = "other";
+    const Design three = with(design, 0, 3, id);
+    EXPECT_EQ(three.cuts.size(), 6u) << id;
+    EXPECT_EQ(*parseDesign(designToJson(three)), three) << id;
+    EXPECT_NE(designToJson(three).find("\"grid\""), std::string::npos) << id;
+    const Design one = with(three, 0, 1, "column-2");
+    EXPECT_EQ(one.cuts.size(), 2u) << id;
+    EXPECT_EQ(one.cuts[0].id, "cut") << id;
+  }
+}
+
 TEST(GridChange, BlocksThatStayKeepTheirCuts) {
   Design two = with(single(), 0, 2, "block");
   two.cuts[1].sections.stations = 21;

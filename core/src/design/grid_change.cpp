@@ -318,7 +318,7 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
   const std::map<std::string, std::string> ids = idsAfter(before, kept);
   changed.stock = stockOf(kept);
   std::vector<Cut> own;
-  for (const Cut& cut : design.cuts)
+  for (const Cut& cut : design.grid ? design.cuts : std::vector<Cut>())
     if (std::optional<Cut> there = carried(cut, ids))
       if (grid.count() > 1 || !isOfAll(design, cut)) own.push_back(std::move(*there));
   if (grid.count() == 1) {
