@@ -408,6 +408,7 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
     const bool first = name.find("strip-0") != std::string::npos;
     told = told || (text.find("cut 1 of 2 of block") != std::string::npos &&
                     text.find("turned by 90 degrees") != std::string::npos);
+    EXPECT_NE(text.find("see that what stays is the foam below the cut"), std::string::npos) << name;
     EXPECT_EQ(text.find("make north before it") == std::string::npos, first) << name;
     // Whoever laid it otherwise before lays it back.
     EXPECT_EQ(text.find("its top face up, not turned") == std::string::npos, first) << name;

@@ -363,6 +363,8 @@ TEST_F(BlockHandlesTest, AMiddleThatAnExpressionKeepsIsKeptWhereTheBlockIsPulled
   // Two that turn it at once keep no middle: the corner stays.
   QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::turnX));
   type("=tilt/2");
+  for (const char* axis : {"0", "1", "2"})
+    EXPECT_FALSE(bench().design().bindings.contains(std::string("/stock/0/block/origin/") + axis));
   ASSERT_TRUE(settle());
   ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
   QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::moveZ));

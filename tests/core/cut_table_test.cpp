@@ -118,6 +118,8 @@ TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
   ASSERT_TRUE(design);
   const std::string table = cutTableCsv(*design);
   EXPECT_NE(table.find("\ncolumn-3,cut-column-3,"), std::string::npos) << table;
+  EXPECT_NE(table.find(",direction,planes,"), std::string::npos) << table;
+  EXPECT_NE(table.find(",parallel,"), std::string::npos) << table;
   const Result<Design> made = withCutTable(*design, table);
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->cuts, design->cuts);

@@ -51,6 +51,24 @@ TEST(Findings, NumbersAreSeenToPassTheirLimits) {
             std::string::npos);
 }
 
+TEST(Findings, SayWhatAnErrorOfAGripPulls) {
+  EXPECT_NE(
+      said(PulledByGrips{0.00042, 0.5, 124.9}, kOne)
+          .find("a grip that is off by 0.5 mm may take up the slack of the blade (0.00042 mm) and pull it, "
+                "by up to 125 N/mm² if nothing gives way"),
+      std::string::npos)
+      << said(PulledByGrips{0.00042, 0.5, 124.9}, kOne);
+}
+
+TEST(Findings, SayWhereALengthThatWasTakenServesStationsAlone) {
+  ServingLengths taken{ServingLengths::Said::taken, 785, 785, 785};
+  EXPECT_EQ(said(taken, kOne).find("though not all"), std::string::npos);
+  taken.atStationsAlone = true;
+  EXPECT_NE(said(taken, kOne).find("serves all stations, though not all that lies between or beside them"),
+            std::string::npos)
+      << said(taken, kOne);
+}
+
 TEST(Findings, MoreStationsAreNoRemedyWhereTheBladeDoesNotRest) {
   EXPECT_NE(said(TooFarOnTheWay{70, 2}, kOne).find("take more stations"), std::string::npos);
   for (const std::string& text :

@@ -31,8 +31,7 @@ Result<void> check(const Design& design, double thickness) {
       return fail(ErrorCode::badInput,
                   "the block " + block.id + " has " + std::to_string(std::ranges::count_if(design.cuts, of)) +
                       " cuts; two moulds are made of blocks with one cut each: where two cuts leave a ridge, "
-                      "the other "
-                      "mould has a valley, into which no blade reaches from side to side",
+                      "the other mould has a valley, into which no blade reaches from side to side",
                   "cuts");
     const Cut& cut = *std::ranges::find_if(design.cuts, of);
     if (cut.pose != CutPose{} || cut.offset != 0)

@@ -52,9 +52,6 @@ std::map<std::string, BoundNumber> withoutSource(const std::map<std::string, Bou
   return kept;
 }
 
-/// The cuts in the order in which their expressions are told.
-std::vector<Cut> listed(const Design& design) { return detail::cutsUnderGrid(design).value_or(design.cuts); }
-
 }  // namespace
 
 Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const BlockPlacement& placed) {
@@ -107,15 +104,19 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
         changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
       }
     }
-    detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
+    detail::moveCutBindings(changed.bindings, detail::listedCuts(design), detail::listedCuts(changed));
     return another;
   }
 }
 
+std::string stemOf(const std::string& id, const std::string& block) {
+  const std::string end = "-" + block;
+  return id.size() > end.size() && id.ends_with(end) ? id.substr(0, id.size() - end.size()) : std::string();
+}
+
 std::vector<Cut> cutsTogether(const Design& design, const Cut& cut) {
-  const std::string ofBlock = "-" + cut.block;
-  if (!design.grid || !cut.id.ends_with(ofBlock)) return {cut};
-  const std::string stem = cut.id.substr(0, cut.id.size() - ofBlock.size());
+  const std::string stem = stemOf(cut.id, cut.block);
+  if (!design.grid || stem.empty()) return {cut};
   std::vector<Cut> all;
   std::ranges::copy_if(design.cuts, std::back_inserter(all),
                        [&](const Cut& one) { return one.id == stem + "-" + one.block; });
@@ -133,7 +134,7 @@ Design withoutCut(const Design& design, const Cut& cut) {
   Design changed = design;
   for (const Cut& gone : cutsTogether(design, cut))
     std::erase_if(changed.cuts, [&](const Cut& one) { return one.id == gone.id; });
-  detail::moveCutBindings(changed.bindings, listed(design), listed(changed));
+  detail::moveCutBindings(changed.bindings, detail::listedCuts(design), detail::listedCuts(changed));
   if (std::ranges::find(changed.cuts, cut.source, &Cut::source) != changed.cuts.end()) return changed;
   const auto source = &design.sourceOf(cut) - design.sources.data();
   if (!design.sources[std::size_t(source)].surface) return changed;  // a file may be cut again

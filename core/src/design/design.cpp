@@ -270,6 +270,15 @@ void readCuts(ObjectReader& reader, Design& design) {
   }
   const auto own =
       std::stable_partition(list.begin(), list.end(), [](const Cut& cut) { return cut.block.empty(); });
+  const auto tooMany = [&](std::size_t count) {
+    if (count > std::size_t(Design::kMostCuts))
+      reader.complain("cuts",
+                      reader.path() + ".cuts come to " + std::to_string(count) +
+                          " in the blocks of the grid; there may be " + std::to_string(Design::kMostCuts),
+                      double(count), double(Design::kMostCuts));
+    return count > std::size_t(Design::kMostCuts);
+  };
+  if (tooMany(std::size_t(own - list.begin()) * design.stock.size())) return;
   // One id for cuts of two blocks, "cut-A-b" of cut in A-b and of cut-A in b, would lose one of them.
   std::map<std::string, std::string> blocks;
   for (auto cut = list.begin(); cut != own; ++cut)
@@ -279,11 +288,7 @@ void readCuts(ObjectReader& reader, Design& design) {
                                            "\" of the blocks \"" + other->second + "\" and \"" + block.id +
                                            "\"; call a cut or a block otherwise");
   design.cuts = cutsOf(design.stock, {list.begin(), own}, {own, list.end()});
-  if (design.cuts.size() > std::size_t(Design::kMostCuts))
-    reader.complain("cuts",
-                    reader.path() + ".cuts come to " + std::to_string(design.cuts.size()) +
-                        " in the blocks of the grid; there may be " + std::to_string(Design::kMostCuts),
-                    double(design.cuts.size()), double(Design::kMostCuts));
+  (void)tooMany(design.cuts.size());
 }
 
 /// Version 1: one source, and a job.

@@ -23,8 +23,7 @@ constexpr double kSame = 1e-6;  // mm
 
 /// Without the name of its block in its own.
 Cut withoutBlock(Cut cut) {
-  if (cut.id.size() > cut.block.size() + 1 && cut.id.ends_with("-" + cut.block))
-    cut.id.resize(cut.id.size() - cut.block.size() - 1);
+  if (std::string stem = stemOf(cut.id, cut.block); !stem.empty()) cut.id = std::move(stem);
   cut.block.clear();
   return cut;
 }
@@ -259,14 +258,11 @@ void dropBindings(Design& design, const BlockGrid& before, const BlockGrid& grid
   });
 }
 
-/// The cuts in the order in which their expressions are told.
-std::vector<Cut> listed(const Design& design) { return detail::cutsUnderGrid(design).value_or(design.cuts); }
-
 /// Expressions go with their cuts: those of all blocks with these, the others with the block that they lie
 /// in.
 void carryBindings(Design& changed, const Design& from, const std::map<std::string, std::string>& ids,
                    const std::string& like) {
-  std::vector<Cut> before = listed(from);
+  std::vector<Cut> before = detail::listedCuts(from);
   const std::string only = changed.grid ? std::string() : changed.block().id;
   for (Cut& cut : before) {
     if (cut.block.empty() || (!from.grid && cut.block == like))
@@ -275,7 +271,7 @@ void carryBindings(Design& changed, const Design& from, const std::map<std::stri
       cut = changed.grid ? std::move(*now) : withoutBlock(std::move(*now));
     if (!changed.grid) cut.block = only;
   }
-  detail::moveCutBindings(changed.bindings, before, listed(changed));
+  detail::moveCutBindings(changed.bindings, before, detail::listedCuts(changed));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "bw/core/design/cut_list.h"
+
 namespace bw::detail {
 
 std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
@@ -23,9 +25,8 @@ std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
     });
   };
   for (Cut cut : design.cuts)
-    if (cut.block == first && cut.id.size() > first.size() + 1 && cut.id.ends_with("-" + first) &&
-        isOfAll(cut.id.substr(0, cut.id.size() - first.size() - 1))) {
-      cut.id.resize(cut.id.size() - first.size() - 1);
+    if (std::string stem = stemOf(cut.id, first); cut.block == first && !stem.empty() && isOfAll(stem)) {
+      cut.id = std::move(stem);
       cut.block.clear();
       each.push_back(std::move(cut));
     }
@@ -37,6 +38,8 @@ std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
   each.insert(each.end(), own.begin(), own.end());
   return each;
 }
+
+std::vector<Cut> listedCuts(const Design& design) { return cutsUnderGrid(design).value_or(design.cuts); }
 
 void moveCutBindings(std::map<std::string, BoundNumber>& bindings, const std::vector<Cut>& from,
                      const std::vector<Cut>& to) {

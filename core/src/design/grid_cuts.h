@@ -14,6 +14,8 @@ namespace bw::detail {
 /// The cuts of a grid as files tell them: those that each block has, without a block, and those that are not
 /// so. Empty where that would not come to the same cuts.
 std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design);
+/// The cuts of a design in the order in which its file, and so their expressions, tell them.
+std::vector<Cut> listedCuts(const Design& design);
 
 /// Has the expressions of a list of cuts, told by their places in it, follow them into another one. Those of
 /// cuts that it has not, by id and block, go.

@@ -333,9 +333,7 @@ QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
              ? tr("%1 lies in a grid, which tells its size: pull a boundary in the tab Blocks, or type its "
                   "sizes there")
                    .arg(block)
-             : tr("%1 lies in a grid, whose blocks stand side by side and are neither moved nor turned one "
-                  "by "
-                  "one")
+             : tr("%1 lies in a grid, whose blocks stand side by side: none is moved or turned alone")
                    .arg(block);
 }
 
@@ -494,6 +492,11 @@ void BlockHandles::pull(double value, bool live) {
 void BlockHandles::bindCorner(const Standing& was, BlockPart part, const std::string& expression) {
   // A face whose opposite one is the corner moves with the size alone.
   if (isMove(part) || (isFace(part) && sideOf(part) > 0)) return;
+  // No corner keeps the middle where two rotations stand for expressions.
+  for (int axis = 0; axis < 3 && isTurn(part); ++axis)
+    if (axis != axisOf(part) &&
+        bench_.design().bindings.contains(placeInBlock(bench_, "/rotation_deg/" + std::to_string(axis))()))
+      return;
   const CornerExpressions corner = isFace(part) ? cornerOfSize(was.placed, axisOf(part), expression)
                                                 : cornerOfTurn(was.placed, axisOf(part), expression);
   const std::string place = placeInBlock(bench_, "/origin/")();

@@ -48,7 +48,7 @@ enum class BlockPart {
 /// handles; the rings and the arrow are turned in steps of 15°, with Shift of 45°, with Ctrl or Alt of 1°,
 /// the mast in 5°, 15° and 1°.
 /// Esc gives a pull up. The handle pressed last takes the arrow keys, and numbers typed. Blocks of a grid are
-/// neither resized nor turned here, and say so.
+/// neither resized, moved nor turned here, and say so.
 class BlockHandles : public QObject {
   Q_OBJECT
 

@@ -353,11 +353,7 @@ std::optional<ObjectTree::CurveName> ObjectTree::nameOfCurve(const QTreeWidgetIt
 }
 
 void ObjectTree::beginRenaming(QTreeWidgetItem& item) {
-  const std::optional<Object>& object = lineOf(item).object;
-  if (item.flags() & Qt::ItemIsEditable)
-    editItem(&item, name);
-  else if (object && object->kind != Object::Kind::stations)
-    (void)bench_.rename(*object, {});  // which tells why not
+  if (item.flags() & Qt::ItemIsEditable) editItem(&item, name);
 }
 
 void ObjectTree::rename(const QTreeWidgetItem& item) {

@@ -59,12 +59,6 @@ std::optional<std::string> twice(const std::vector<Part>& parts) {
   return std::nullopt;
 }
 
-/// "cut" of "cut-column-2" in the block column-2; empty where a cut is not called after its block.
-std::string stemOf(const std::string& id, const std::string& block) {
-  const std::string end = "-" + block;
-  return id.size() > end.size() && id.ends_with(end) ? id.substr(0, id.size() - end.size()) : std::string();
-}
-
 /// Calls a block otherwise, and its cuts, which a grid calls after it, with it.
 void nameBlock(Design& design, const std::string& from, const std::string& to) {
   if (design.grid)

@@ -23,6 +23,9 @@ struct AnotherCut {
 };
 Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const BlockPlacement& placed);
 
+/// "cut" of "cut-column-2" in the block column-2; empty where a cut is not called after its block.
+std::string stemOf(const std::string& id, const std::string& block);
+
 /// The cuts that go together: those of all blocks of a grid that are called alike, or the one.
 std::vector<Cut> cutsTogether(const Design& design, const Cut& cut);
 
