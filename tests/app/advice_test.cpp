@@ -285,5 +285,42 @@ TEST(Advice, IsNotSoughtWhereAProgramIsCompared) {
   EXPECT_TRUE(e.cut().confirmed.value) << "its sections are those of the files";
 }
 
+TEST(Advice, TheWayThatIsToldLeadsToAnotherStation) {
+  Design design = exampleDesign("single-block").value();
+  design.output.programs.clear();
+  design.blade.thickness = 0.2;
+  const Evaluation e = evaluated(design);
+  const int last = e.cut().sweep.value->poses.back().index;
+  bool any = false;
+  for (const Finding& finding : e.findings()) {
+    if (!std::holds_alternative<OffTheSurfaceShown>(finding.cause)) continue;
+    any = true;
+    ASSERT_TRUE(finding.where.stations);
+    EXPECT_LT(finding.where.stations->last, last) << words::sentence(finding, words::Reader::commandLine);
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST(Advice, MoreStationsAreNotAdvisedWhereTheBladeGoesOverFromTautToSlack) {
+  // Straight at the border of the surface, bent in its middle: a blade that hangs is pulled straight there.
+  Design design = exampleDesign("graph").value();
+  design.output.programs.clear();
+  design.blade = bladePreset("nicr-flat-5x1").value();
+  design.blade.length = 785;
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 41;
+  const Evaluation e = evaluated(design, Purpose::comparison);
+  bool any = false;
+  for (const Finding& finding : e.findings()) {
+    const auto* far = std::get_if<TooFar>(&finding.cause);
+    const auto* off = std::get_if<OffTheSurfaceShown>(&finding.cause);
+    if (!far && !off) continue;
+    any = true;
+    EXPECT_TRUE(far ? far->slackens : off->slackens) << words::sentence(finding, words::Reader::commandLine);
+    EXPECT_TRUE(finding.remedies.empty());
+  }
+  EXPECT_TRUE(any);
+}
+
 }  // namespace
 }  // namespace bw::pipeline

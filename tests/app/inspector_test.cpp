@@ -3,6 +3,7 @@
 //
 // The inspector: what the design tells is edited there, what is found is read.
 #include "bw/core/base/units.h"
+#include "bw/core/design/variables.h"
 #include "bw/core/shape/section_tangents.h"
 #include "bw/core/shape/told_stretches.h"
 #include "controls/fields.h"
@@ -87,6 +88,44 @@ class InspectorTest : public WindowTest {
     EXPECT_EQ(designToJson(*read), designToJson(now));
   }
 };
+
+TEST_F(InspectorTest, ExpressionsOfCutsOfAGridAreTyped) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  ASSERT_NO_FATAL_FAILURE(addVariable("span = 600 mm, 300 to 700"));
+  bench().select({Selection::Kind::result, -1, "column-2", "cut-column-2"});
+  QTest::qWait(0);
+  const auto stations = [&] {
+    std::vector<int> all;
+    for (const Cut& cut : bench().design().cuts) all.push_back(cut.sections.stations.value_or(0));
+    return all;
+  };
+  const int first = steps();
+  ASSERT_NO_FATAL_FAILURE(type("Number", "=span/40"));
+  EXPECT_EQ(stations(), (std::vector<int>{15, 15, 15})) << "cuts that are alike stay so";
+  EXPECT_EQ(steps(), first + 1);
+  for (const char* place : {"/cuts/0/stations", "/cuts/1/stations", "/cuts/2/stations"})
+    EXPECT_EQ(boundAt(place), "span/40") << place;
+  // A length of its own is that of one cut, also where it comes to the same.
+  ASSERT_NO_FATAL_FAILURE(type("Own length", "=span + 150"));
+  EXPECT_EQ(boundAt("/cuts/1/blade_length"), "span + 150");
+  EXPECT_EQ(boundAt("/cuts/0/blade_length"), "");
+  EXPECT_EQ(bench().cut().length, 750);
+  EXPECT_FALSE(bench().design().cuts[0].length);
+  const Result<Design> read = parseDesign(designToJson(bench().design()));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(read->grid);
+  EXPECT_EQ(read->bindings, bench().design().bindings);
+  const Design longer = withVariables(bench().design(), {{"span", 640}}).value();
+  EXPECT_EQ(longer.cuts[1].length, 790);
+  EXPECT_EQ(longer.cuts[2].sections.stations, 16);
+  // A number typed over it frees all that are alike, and undo goes back to the start.
+  bench().select({Selection::Kind::result, -1, "column-1", "cut-column-1"});
+  QTest::qWait(0);
+  ASSERT_NO_FATAL_FAILURE(type("Number", "11"));
+  EXPECT_EQ(stations(), (std::vector<int>{11, 15, 11}));
+  bench().document().undoStack().setIndex(first);
+  ASSERT_TRUE(settle());
+}
 
 TEST_F(InspectorTest, ACutIsEditedWhereItsResultIsRead) {
   ASSERT_NO_FATAL_FAILURE(open("single-block"));

@@ -66,6 +66,14 @@ TEST_F(ObjectTreeTest, BlocksOfAGridAndTheirCutsAreRenamed) {
   ASSERT_TRUE(line(Kind::block, "A2"));
   EXPECT_TRUE(line(Kind::cut, "cut-A2")) << "its cut is called after it";
   EXPECT_EQ(bench().design().grid->names, (std::map<std::string, std::string>{{"column-2", "A2"}}));
+  ASSERT_TRUE(settle());
+  const auto blades = [&](const char* cut) {
+    const pipeline::CutEvaluation* found = bench().shown()->find(cut);
+    return found ? found->sweep.value.get() : nullptr;
+  };
+  const Sweep* const row = blades("cut-A2");
+  ASSERT_TRUE(row);
+  const Joints* const joints = bench().shown()->joints.value.get();
   ASSERT_NO_FATAL_FAILURE(name(line(Kind::cut, "cut-A2"), "roof"));
   for (const char* cut : {"roof-column-1", "roof-A2", "roof-column-3"})
     EXPECT_TRUE(line(Kind::cut, cut)) << cut;
@@ -73,6 +81,8 @@ TEST_F(ObjectTreeTest, BlocksOfAGridAndTheirCutsAreRenamed) {
   EXPECT_EQ(bench().selection().block, "A2");
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(blades("roof-A2"), row) << "a name is no reason to fit blades anew";
+  EXPECT_EQ(bench().shown()->joints.value.get(), joints);
   picture("objects-renamed-in-grid");
   const fs::path file = path("named-wall.bladewright");
   ASSERT_TRUE(bench().saveTo(file));
@@ -321,6 +331,29 @@ TEST_F(ObjectTreeTest, LockedStationsKeepTheirNumber) {
   take("east", 9);
   EXPECT_EQ(std::ranges::find(bench().design().cuts, "east", &Cut::id)->sections.stations, 9);
   ASSERT_TRUE(settle());
+}
+
+TEST_F(ObjectTreeTest, UndoGoesBackBeyondALockAndSaysSo) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  const auto east = [](auto& design) -> auto& { return *std::ranges::find(design.cuts, "east", &Cut::id); };
+  const std::optional<int> before = east(bench().design()).sections.stations;
+  bench().editDesign("Stations", [&](Design& design) { east(design).sections.stations = 9; });
+  bench().setLocked({Kind::stations, "east"}, true);
+  window().commands()["edit.undo"]->trigger();
+  EXPECT_EQ(east(bench().design()).sections.stations, before);
+  EXPECT_TRUE(bench().locked({Kind::stations, "east"}));
+  ASSERT_FALSE(window().banner().notices().empty());
+  EXPECT_EQ(window().banner().text(),
+            "The stations of east are locked, but were changed by the step that was taken back");
+  picture("undone-beyond-lock");
+  window().commands()["edit.redo"]->trigger();
+  EXPECT_EQ(east(bench().design()).sections.stations, 9);
+  EXPECT_TRUE(window().banner().text().endsWith("by the step that was made again"))
+      << window().banner().text().toStdString();
+  // What is not locked is undone without a word.
+  bench().setLocked({Kind::stations, "east"}, false);
+  window().commands()["edit.undo"]->trigger();
+  EXPECT_FALSE(window().banner().isVisible() && window().banner().text().contains("locked"));
 }
 
 TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {

@@ -113,8 +113,9 @@ TEST(CutTable, OfSeveralSurfacesEachCutNamesItsOwn) {
 
 TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
   const Result<Design> design = parseDesign(R"({"bladewright_design": 2,
+    "variables": [{"name": "n", "value": 9, "min": 2, "max": 40}],
     "sources": [{"surface": {"type": "formula", "formula": "100"}}],
-    "grid": {"columns": 3}, "cuts": [{"id": "cut", "stations": 9}]})");
+    "grid": {"columns": 3}, "cuts": [{"id": "cut", "stations": "=n"}]})");
   ASSERT_TRUE(design);
   const std::string table = cutTableCsv(*design);
   EXPECT_NE(table.find("\ncolumn-3,cut-column-3,"), std::string::npos) << table;
@@ -123,6 +124,7 @@ TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
   const Result<Design> made = withCutTable(*design, table);
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->cuts, design->cuts);
+  EXPECT_EQ(made->bindings, design->bindings) << "its expressions come back, too";
 }
 
 TEST(CutTable, WhatIsWrongIsNamed) {

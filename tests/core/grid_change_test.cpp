@@ -128,6 +128,49 @@ TEST(GridChange, ACutOfOneBlockStaysInItWithNamesAndExpressions) {
   EXPECT_EQ(follows(one, "cut"), 20);
 }
 
+TEST(GridChange, EachCutHasItsExpressionsAlsoWhereItComesToTheSame) {
+  const auto stationsOf = [](const Design& of) {
+    std::vector<int> all;
+    for (const Cut& cut : of.cuts) all.push_back(*cut.sections.stations);
+    return all;
+  };
+  const auto placesOf = [](const Design& of) {
+    std::map<std::string, std::string> texts;
+    for (const auto& [place, bound] : of.bindings) texts[place] = bound.text;
+    return texts;
+  };
+  using Texts = std::map<std::string, std::string>;
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "variables": [{"name": "n", "value": 7, "min": 2, "max": 40}, {"name": "m", "value": 7, "min": 2, "max": 40}],
+    "sources": [{"id": "a", "surface": {"type": "formula", "formula": "100"}}],
+    "grid": {"columns": 3},
+    "cuts": [{"id": "cut", "stations": "=n"},
+             {"id": "cut-column-2", "block": "column-2", "stations": "=m", "offset": "=m - 7"}]})");
+  EXPECT_EQ(stationsOf(design), (std::vector<int>{7, 7, 7}));
+  EXPECT_EQ(placesOf(design), (Texts{{"/cuts/0/stations", "n"},
+                                     {"/cuts/1/offset", "m - 7"},
+                                     {"/cuts/1/stations", "m"},
+                                     {"/cuts/2/stations", "n"}}));
+  // It is written although its numbers are those of all, and follows its own variable.
+  EXPECT_EQ(*parseDesign(designToJson(design)), design);
+  const Design other = withVariables(design, {{"m", 9}}).value();
+  EXPECT_EQ(stationsOf(other), (std::vector<int>{7, 9, 7}));
+  EXPECT_EQ(withVariables(other, {{"m", 7}}).value(), design);
+  EXPECT_EQ(stationsOf(withVariables(design, {{"n", 20}}).value()), (std::vector<int>{20, 7, 20}));
+  // New blocks are told as the one that they are like.
+  EXPECT_EQ(stationsOf(withVariables(with(design, 0, 4, "column-2"), {{"m", 9}}).value()),
+            (std::vector<int>{7, 9, 7, 9}));
+  EXPECT_EQ(stationsOf(withVariables(with(design, 0, 4, "column-1"), {{"m", 9}}).value()),
+            (std::vector<int>{7, 9, 7, 7}));
+  const Design one = with(design, 0, 1, "column-2");
+  EXPECT_EQ(placesOf(one), (Texts{{"/cuts/0/offset", "m - 7"}, {"/cuts/0/stations", "m"}}));
+  EXPECT_EQ(*resolved(one), one);
+  // Where blocks are told one by one nothing is lost.
+  Design listed = design;
+  listed.grid.reset();
+  EXPECT_EQ(*parseDesign(designToJson(listed)), listed);
+}
+
 TEST(GridChange, MoreAreAsLargeAsTheLastOrShareWhatThereIs) {
   BlockGrid grid;
   grid.sizes[0] = {500, 700};

@@ -78,6 +78,26 @@ TEST(Findings, MoreStationsAreNoRemedyWhereTheBladeDoesNotRest) {
   }
 }
 
+TEST(Findings, MoreStationsAreNoRemedyWhereTheBladeSwingsFromTautToSlack) {
+  TooFar off{8.16, 2, 0.991, TooFar::Source::between, 22.5, 0.753};
+  EXPECT_NE(said(off, kOne).find("take more of them"), std::string::npos) << said(off, kOne);
+  off.slackens = true;
+  for (const std::string& text : {said(off, kOne), said(OffTheSurfaceShown{1.26, 0.1, false, true}, kOne)}) {
+    EXPECT_EQ(text.find("take more"), std::string::npos) << text;
+    EXPECT_NE(text.find("goes over from taut to slack, or back, and swings by that"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("a stiffer or lighter blade"), std::string::npos) << text;
+  }
+}
+
+TEST(Findings, WhatIsOffBetweenTheStationsIsNotBlamedOnTheDirection) {
+  Uncovered off{1000, 0.18, 2.26, Uncovered::Where::off};
+  EXPECT_NE(said(off, kOne).find("choose another cutting direction"), std::string::npos) << said(off, kOne);
+  off.between = true;
+  EXPECT_EQ(said(off, kOne).find("direction"), std::string::npos) << said(off, kOne);
+  EXPECT_NE(said(off, kOne).find("it is off between the stations"), std::string::npos);
+}
+
 TEST(Findings, OneStationSeveralAndSomeOfThem) {
   EXPECT_EQ(said(SectionMissing{}, kOne),
             "station 8 is left out: its plane does not meet the target inside the block");

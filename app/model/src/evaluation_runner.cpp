@@ -210,6 +210,9 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       if (drawSketch(order, context, stop)) {
         error = stoppedError().value();
       } else if (order.design) {
+        if (std::optional<pipeline::Evaluation> called =
+                previous ? pipeline::calledAs(*previous, *order.design) : std::nullopt)
+          previous = std::make_shared<const pipeline::Evaluation>(*std::move(called));
         pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
         error = std::move(outcome.error);
         if (error && error->code != ErrorCode::cancelled) addMeshes(outcome.evaluation);

@@ -100,6 +100,17 @@ Result<void> cover(const CutWork& work, double& seconds) {
             e.analysis.value->cut, *e.sweep.value, *e.targetMesh.value,
             {request.tolerance, e.middle.request.back, surface.get(), [&e] { return wholeBladesOf(e); }});
         findings = coverage.findings;
+        // What is off between the stations alone has the remedy of that.
+        const auto far = std::ranges::find_if(e.analysis.findings, [](const Finding& finding) {
+          const auto* cause = std::get_if<TooFar>(&finding.cause);
+          return cause && cause->source == TooFar::Source::between;
+        });
+        for (Finding& finding : findings)
+          if (auto* cause = std::get_if<Uncovered>(&finding.cause);
+              cause && cause->where == Uncovered::Where::off && far != e.analysis.findings.end()) {
+            cause->between = true;
+            finding.remedies = far->remedies;
+          }
         return coverage;
       });
 }

@@ -328,6 +328,11 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     for (Finding& finding : findings)
       std::erase_if(finding.remedies,
                     [](const Remedy& remedy) { return std::holds_alternative<OtherLength>(remedy); });
+    // How the block lies in its cell decides which way the weight pulls.
+    for (const Finding& finding : findings)
+      if (std::holds_alternative<WeightElsewhere>(finding.cause) &&
+          (finding.where.cut.empty() || finding.where.cut == run.cut))
+        run.warnings.push_back(words::sentence(finding, words::Reader::commandLine));
     const std::vector<std::string> errors = words::errorsOf(findings, words::Reader::commandLine);
     if (!errors.empty())
       run.exceeded.push_back(

@@ -67,6 +67,10 @@ std::string otherBlockText(const Finding& finding, bool single) {
 }
 
 /// What helps where more stations do not.
+const std::string kSlackens =
+    "the blade goes over from taut to slack, or back, and swings by that: more stations do not change it; "
+    "take "
+    "a stiffer or lighter blade, which straight sections need not be pulled into";
 const std::string kUnrested = "it does not keep its shape there, which is to be mended first";
 
 /// "take more stations", and what a longer section between them would need before.
@@ -375,6 +379,9 @@ std::string Sentences::operator()(const TooFar& cause) const {
     case TooFar::Source::stations:
       break;
     case TooFar::Source::between:
+      if (cause.slackens)
+        return text + "it arises between the stations, which keep within " + mm(cause.own) + ", where " +
+               kSlackens;
       return text + "it arises between the stations, which are " + mm(cause.spacing) +
              " apart there; the stations themselves keep within " + mm(cause.own) + ", so " +
              moreStationsText(finding, "take more of them");
@@ -406,7 +413,8 @@ std::string Sentences::operator()(const Uncovered& cause) const {
                                ? std::string("a border of the surface in the block")
                                : shortText(100 * cause.share, 3) + " % of the surface in the block (" +
                                      shortText(cause.area, 3) + " mm²)";
-  std::string remedy = "; choose another cutting direction, or " + std::string(kInParts);
+  std::string remedy = cause.between ? "; it is off between the stations, which keep the tolerance: mend that"
+                                     : "; choose another cutting direction, or " + std::string(kInParts);
   if (const std::optional<Eigen::Vector3d>& point = finding.where.point)
     remedy = ", farthest at (" + shortText(point->x(), 4) + ", " + shortText(point->y(), 4) + ", " +
              shortText(point->z(), 4) + ")" + remedy;
@@ -558,7 +566,9 @@ std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
   return at() + "on the way from there to the next station the blade is up to " +
          mmBeside(cause.distance, cause.tolerance) + " from the surface shown (motion tolerance " +
          mm(cause.tolerance) + "), and the targets of the program bring it no nearer; " +
-         (cause.unrested ? kUnrested : moreStationsText(finding, "take more stations"));
+         (cause.unrested   ? kUnrested
+          : cause.slackens ? kSlackens
+                           : moreStationsText(finding, "take more stations"));
 }
 
 std::string Sentences::operator()(const TooFastOnTheWay& cause) const {

@@ -104,7 +104,7 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
         changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
       }
     }
-    detail::moveCutBindings(changed.bindings, detail::listedCuts(design), detail::listedCuts(changed));
+    detail::moveCutBindings(changed.bindings, design.cuts, changed.cuts);
     return another;
   }
 }
@@ -134,7 +134,7 @@ Design withoutCut(const Design& design, const Cut& cut) {
   Design changed = design;
   for (const Cut& gone : cutsTogether(design, cut))
     std::erase_if(changed.cuts, [&](const Cut& one) { return one.id == gone.id; });
-  detail::moveCutBindings(changed.bindings, detail::listedCuts(design), detail::listedCuts(changed));
+  detail::moveCutBindings(changed.bindings, design.cuts, changed.cuts);
   if (std::ranges::find(changed.cuts, cut.source, &Cut::source) != changed.cuts.end()) return changed;
   const auto source = &design.sourceOf(cut) - design.sources.data();
   if (!design.sources[std::size_t(source)].surface) return changed;  // a file may be cut again

@@ -38,7 +38,6 @@ json rowOf(const Design& design, std::size_t index) {
   row["offset"] = 0;
   detail::writeBlockCutKeys(
       cut, row, [](const std::string&) -> const BoundNumber* { return nullptr; });  // its number stands there
-  if (design.grid) return row;  // whose expressions are those of all its cuts
   const std::string place = "/cuts/" + std::to_string(index);
   for (auto bound = design.bindings.lower_bound(place + "/");
        bound != design.bindings.end() && bound->first.starts_with(place + "/"); ++bound) {

@@ -401,17 +401,25 @@ Result<Design> parseDesign(std::string_view text, int* version) {
 
 namespace {
 
-/// Cuts of a grid are written in an order of their own: the expressions of those that were read go with them.
-void followCuts(const json& object, Design& design) {
-  const std::optional<std::vector<Cut>> written = design.grid ? detail::cutsUnderGrid(design) : std::nullopt;
-  if (!written || !object.contains("cuts")) return;
-  std::vector<Cut> read;
-  for (const json& cut : object["cuts"]) {
-    Cut& one = read.emplace_back();
-    one.id = cut.value("id", "cut-" + std::to_string(read.size()));
-    one.block = cut.value("block", std::string());
+/// The file of a grid tells cuts once that all blocks have: each gets their expressions.
+void placeCutBindings(const json& object, Design& design) {
+  if (!design.grid || !object.contains("cuts")) return;
+  std::map<std::string, std::size_t> each, own;  // by the ids of the cuts that are made of them
+  const json& list = object["cuts"];
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string id = list[i].value("id", "cut-" + std::to_string(i + 1));
+    if (list[i].contains("block"))
+      own[id] = i;
+    else
+      for (const StockBlock& block : design.stock) each.try_emplace(id + "-" + block.id, i);
   }
-  detail::moveCutBindings(design.bindings, read, *written);
+  design.bindings = detail::withCutBindings(
+      design.bindings, design.cuts.size(), [&](std::size_t cut) -> std::optional<std::size_t> {
+        const std::string& id = design.cuts[cut].id;
+        if (const auto told = own.find(id); told != own.end()) return told->second;
+        const auto told = each.find(id);
+        return told == each.end() ? std::nullopt : std::optional(told->second);
+      });
 }
 
 }  // namespace
@@ -461,7 +469,7 @@ Result<Design> readDesign(const json& object, const std::string& path, const det
     if (place == "/process/grip_error/deg") place = "/process/grip_angle_error";
     design->bindings.emplace(std::move(place), std::move(bound));
   }
-  followCuts(object, *design);
+  placeCutBindings(object, *design);
   return design;
 }
 
@@ -534,18 +542,19 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
     detail::writeSourceKeys(source, part);
     sources.push_back(std::move(part));
   }
-  const std::optional<std::vector<Cut>> underGrid = detail::cutsUnderGrid(design);
+  const std::optional<detail::CutsUnderGrid> underGrid = detail::cutsUnderGrid(design);
   for (const StockBlock& block : design.stock) {
     if (underGrid) break;
     json part = {{"id", block.id}};
     detail::writePlacement(block, part);
     stock.push_back(std::move(part));
   }
-  for (const Cut& cut : underGrid ? *underGrid : design.cuts) {
+  for (const Cut& cut : underGrid ? underGrid->cuts : design.cuts) {
+    const std::size_t told = underGrid ? underGrid->of[cuts.size()] : cuts.size();
     json part = {{"id", cut.id}, {"source", cut.source}};
     if (!cut.block.empty()) part["block"] = cut.block;
     detail::writeCutKeys(cut, part);
-    detail::writeBlockCutKeys(cut, part, boundIn("/cuts/" + std::to_string(cuts.size())));
+    detail::writeBlockCutKeys(cut, part, boundIn("/cuts/" + std::to_string(told)));
     cuts.push_back(std::move(part));
   }
   object["sources"] = sources;
@@ -564,7 +573,10 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   detail::writeProcessKeys(design.process, process);
   object["process"] = process;
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
-  writeBindings(design.bindings, object);
+  writeBindings(underGrid ? detail::withCutBindings(design.bindings, underGrid->of.size(),
+                                                    [&](std::size_t cut) { return underGrid->of[cut]; })
+                          : design.bindings,
+                object);
   writeMarks(design, object);
   dropMinusZeros(object);
   if (!design.versions.empty()) object["versions"] = versionsJson(design);

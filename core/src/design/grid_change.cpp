@@ -258,20 +258,31 @@ void dropBindings(Design& design, const BlockGrid& before, const BlockGrid& grid
   });
 }
 
-/// Expressions go with their cuts: those of all blocks with these, the others with the block that they lie
-/// in.
+/// Expressions go with their cuts where blocks stay; those of new blocks are told as those of the block
+/// `like`.
 void carryBindings(Design& changed, const Design& from, const std::map<std::string, std::string>& ids,
                    const std::string& like) {
-  std::vector<Cut> before = detail::listedCuts(from);
-  const std::string only = changed.grid ? std::string() : changed.block().id;
-  for (Cut& cut : before) {
-    if (cut.block.empty() || (!from.grid && cut.block == like))
-      cut.block.clear();
-    else if (std::optional<Cut> now = carried(cut, ids))
-      cut = changed.grid ? std::move(*now) : withoutBlock(std::move(*now));
-    if (!changed.grid) cut.block = only;
+  const std::vector<Cut> each = cutsLike(from, like);
+  std::map<std::string, std::size_t> kept, alike;  // by the ids that they have now, and without blocks
+  for (std::size_t i = 0; i < from.cuts.size(); ++i) {
+    const Cut& cut = from.cuts[i];
+    const std::string bare = withoutBlock(cut).id;
+    if (cut.block == like && std::ranges::find(each, bare, &Cut::id) != each.end())
+      alike.try_emplace(bare, i);
+    if (const std::optional<Cut> now = from.grid ? carried(cut, ids) : std::nullopt)
+      kept.try_emplace(changed.grid ? now->id : bare, i);
   }
-  detail::moveCutBindings(changed.bindings, before, detail::listedCuts(changed));
+  const auto placeIn = [](const std::map<std::string, std::size_t>& places, const std::string& id) {
+    const auto found = places.find(id);
+    return found == places.end() ? std::nullopt : std::optional(found->second);
+  };
+  changed.bindings = detail::withCutBindings(changed.bindings, changed.cuts.size(), [&](std::size_t index) {
+    const Cut& cut = changed.cuts[index];
+    // A block alone is the block `like`.
+    const std::optional<std::size_t> own = placeIn(kept, cut.id),
+                                     other = placeIn(alike, changed.grid ? withoutBlock(cut).id : cut.id);
+    return changed.grid ? (own ? own : other) : (other ? other : own);
+  });
 }
 
 }  // namespace

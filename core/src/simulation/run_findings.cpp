@@ -114,7 +114,8 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
                         {}});
   const double allowed = request.motionTolerance + simulation.straightWithin;
   if (surface.toDesignMax > allowed && !told<OffTheSurfaceShown>(known)) {
-    const int before = stationUpTo(motion.instants, surface.toDesignAt.instant);
+    const int last = stationUpTo(motion.instants, motion.instants.size() - 1),
+              before = std::min(stationUpTo(motion.instants, surface.toDesignAt.instant), last - 1);
     findings.push_back({Severity::warning,
                         OffTheSurfaceShown{surface.toDesignMax, request.motionTolerance},
                         {StationRange::of(std::max(before, 0)), surface.toDesignAt.place},

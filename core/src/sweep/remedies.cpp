@@ -9,7 +9,9 @@
 
 #include "bw/core/base/box_distance.h"
 #include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/section_request.h"
+#include "sweep/held_blade.h"
 #include "sweep/station_fit.h"
 
 namespace bw::sweep {
@@ -111,6 +113,19 @@ Remedies twiceAsMany(const Sweep& sweep, double clearance) {
   }
   const int count = 2 * (poses.back().index - poses.front().index + 1) - 1;
   return count <= SectionRequest::kMost ? Remedies{MoreStations{count}} : Remedies{};
+}
+
+bool slackensNear(const Sweep& sweep, std::size_t station) {
+  if (sweep.request.weight.isZero()) return false;
+  constexpr double kSwings = 4 * kOneShape;
+  const std::vector<BladePose>& poses = sweep.poses;
+  // A way swings by a change beside it, too.
+  for (std::size_t i = std::max<std::size_t>(station, 1) - 1; i < std::min(station + 2, poses.size() - 1);
+       ++i) {
+    const double a = slackOf(poses[i]), b = slackOf(poses[i + 1]);
+    if (std::min(a, b) < kOneShape && std::max(a, b) > kSwings) return true;
+  }
+  return false;
 }
 
 std::optional<double> lengthFor(double longest, double clearance) {

@@ -23,6 +23,10 @@ inline constexpr double kRadiusReserve = 0.99;
 /// than the blade, first a blade for that, which keeps `clearance` mm.
 [[nodiscard]] Remedies twiceAsMany(const Sweep& sweep, double clearance);
 
+/// Whether a heavy blade goes over from taut to slack, or back, between a station and the next, or between
+/// those beside them: it swings by that as the root of its slack, however close the stations are.
+[[nodiscard]] bool slackensNear(const Sweep& sweep, std::size_t station);
+
 /// The blade length to order for a longest cut of `longest` mm with grips `clearance` mm beyond it: whole mm,
 /// with a reserve, because another length bends the blade a little otherwise; empty above Blade::kLongest.
 [[nodiscard]] std::optional<double> lengthFor(double longest, double clearance);

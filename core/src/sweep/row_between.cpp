@@ -38,8 +38,10 @@ std::vector<Vector2d> sectionAt(const Sweep& row, const std::vector<std::vector<
   return there;
 }
 
-/// mm, of the place that is farthest from the blade of a pose, as far as it counts.
-double farthestFrom(const HeavyBlade& blade, const BladePose& pose, const std::vector<Vector2d>& section,
+/// mm, of the place that is farthest from the blade of a pose, with its weight or without, as far as it
+/// counts.
+template <class AnyBlade>
+double farthestFrom(const AnyBlade& blade, const BladePose& pose, const std::vector<Vector2d>& section,
                     const InFoam& foam) {
   std::vector<double> arcs = pose.cutArcs(kPlaces);
   std::vector<Elastica::State> states(kPlaces);
@@ -58,6 +60,23 @@ double farthestFrom(const HeavyBlade& blade, const BladePose& pose, const std::v
   return farthest;
 }
 
+/// The same of the blade as it hangs there after station i, followed from this or else from the next:
+/// infinite where it snaps on the way, or where it is not known.
+double offAt(const Sweep& row, std::size_t i, const std::optional<BladePose>& pose,
+             const std::vector<Vector2d>& section, const InFoam& foam) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  if (!pose) return kUnknown;
+  // Pulled straight it has one shape, from which none is followed.
+  if (isTaut(*pose)) return farthestFrom(pose->blade, *pose, section, foam);
+  for (const std::size_t from : {i, i + 1}) {
+    std::optional<HeavyBranch> branch = standing(row, row.poses[from]);
+    if (!branch) continue;
+    const Result<ClampedBranch::Move> move = branch->moveTo(heldAt(row, *pose));
+    if (move) return move->snapped ? kUnknown : farthestFrom(branch->blade(), *pose, section, foam);
+  }
+  return kUnknown;
+}
+
 }  // namespace
 
 Result<double> offBetween(const Sweep& row, const RunContext& context) {
@@ -71,13 +90,7 @@ Result<double> offBetween(const Sweep& row, const RunContext& context) {
   const Result<void> ok = parallelFor(context, int(n - 1), [&](int k) {
     const std::size_t i = std::size_t(k);
     const double travel = 0.5 * (row.poses[i].travel + row.poses[i + 1].travel);
-    const std::optional<BladePose> pose = smooth.at(travel);
-    std::optional<HeavyBranch> branch = standing(row, row.poses[i]);
-    if (!pose || !branch) return;
-    const Result<ClampedBranch::Move> move = branch->moveTo(heldAt(row, *pose));
-    if (!move) return;
-    off[i] = move->snapped ? std::numeric_limits<double>::infinity()
-                           : farthestFrom(branch->blade(), *pose, sectionAt(row, sections, i, travel), foam);
+    off[i] = offAt(row, i, smooth.at(travel), sectionAt(row, sections, i, travel), foam);
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();

@@ -10,8 +10,8 @@ namespace bw::sweep {
 
 /// mm: how far the blades halfway between neighbouring stations, on the smooth way, lie from the sections
 /// that would be there, polynomials of the travel through the places of the nearest six; the farthest.
-/// Infinite where a blade snaps on its way there; where none is known to stand, nothing is claimed, and a row
-/// of less than two has none. Some 0.3 ms a station. Fails with `cancelled` alone.
+/// Infinite where a blade snaps on its way there, or is not known to stand there; a row of less than two has
+/// none. Some 0.3 ms a station. Fails with `cancelled` alone.
 [[nodiscard]] Result<double> offBetween(const Sweep& row, const RunContext& context);
 
 }  // namespace bw::sweep

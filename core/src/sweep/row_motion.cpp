@@ -383,7 +383,7 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
   const sweep::SurfaceRows shown(analysis.swept(), row.planes);
   const sweep::InFoam foam(row.block);
-  std::vector<double> off(row.poses.size(), 0);
+  std::vector<double> off(row.poses.size(), 0);  // on the way from each station to the next
   std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
   std::vector<double> farthest(kPlaces, -1);  // from the target, of each place, and when
   std::vector<const RowMotion::Instant*> farthestAt(kPlaces, nullptr);
@@ -405,8 +405,10 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
         way.worst = place;
       }
       // Beyond the end of a row there is no surface that it could leave.
-      if (const sweep::SurfaceRows::Seen seen = shown.look(place); seen.beside <= kEdge)
-        off[instant.station] = std::max(off[instant.station], seen.distance);
+      if (const sweep::SurfaceRows::Seen seen = shown.look(place); seen.beside <= kEdge) {
+        double& worst = off[std::min(instant.station, std::max<std::size_t>(off.size(), 2) - 2)];
+        worst = std::max(worst, seen.distance);
+      }
     }
   }
   // Between two places it may be more: where one is the farthest of its neighbours, that is looked at.
@@ -427,9 +429,12 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
   way.fromShown = std::ranges::max(off);
   for (const sweep::Stretch& at : sweep::stretchesOf(
            off.size(), [&](std::size_t i) { return off[i] > request.motionTolerance; },
-           [&](std::size_t a, std::size_t b) { return off[a] > off[b]; }))
-    way.findings.push_back({Severity::warning, OffTheSurfaceShown{off[at.worst], request.motionTolerance},
-                            sweep::placeOf(row.poses, at), sweep::twiceAsMany(row, request.clearance)});
+           [&](std::size_t a, std::size_t b) { return off[a] > off[b]; })) {
+    const bool slackens = sweep::slackensNear(row, at.worst);
+    way.findings.push_back(
+        {Severity::warning, OffTheSurfaceShown{off[at.worst], request.motionTolerance, false, slackens},
+         sweep::placeOf(row.poses, at), slackens ? Remedies() : sweep::twiceAsMany(row, request.clearance)});
+  }
   // Where the surface shown misses the tolerance as well, that is told of it.
   const double skin = analysis.summary.deviationMax;
   if (way.deviationMax > request.tolerance && (skin <= request.tolerance || way.deviationMax > kWorse * skin))

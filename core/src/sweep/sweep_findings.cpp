@@ -97,7 +97,8 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
     cause.leftLast = poses[i + 1].index - 1;
   } else if (between && cause.own < kFromBetween * cause.deviation && cause.own <= request.tolerance) {
     cause.source = TooFar::Source::between;
-    remedies = twiceAsMany(sweep, request.clearance);
+    cause.slackens = slackensNear(sweep, i);
+    if (!cause.slackens) remedies = twiceAsMany(sweep, request.clearance);
   } else {
     cause.unheld = unheldAt(sweep, std::size_t(std::ranges::max_element(analysis.stationDeviation) -
                                                analysis.stationDeviation.begin()));

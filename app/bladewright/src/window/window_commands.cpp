@@ -81,10 +81,8 @@ void MainWindow::makeCommands() {
             });
   addOfFile("file.quit", tr("&Quit"), "", {}, {QKeySequence("Ctrl+Q")}, [this](bool) { close(); });
 
-  add("edit.undo", tr("&Undo"), "undo", {}, undoKeys(),
-      [this](bool) { bench_.document().undoStack().undo(); });
-  add("edit.redo", tr("&Redo"), "redo", {}, redoKeys(),
-      [this](bool) { bench_.document().undoStack().redo(); });
+  add("edit.undo", tr("&Undo"), "undo", {}, undoKeys(), [this](bool) { bench_.undo(); });
+  add("edit.redo", tr("&Redo"), "redo", {}, redoKeys(), [this](bool) { bench_.redo(); });
   QUndoStack& undo = bench_.document().undoStack();
   const auto undoText = [this](const char* id, const QString& word, const QString& text) {
     // An & in a name marks no key.

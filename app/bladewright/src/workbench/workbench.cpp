@@ -433,17 +433,15 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
                            bool live) {
   Design after = design();
   change(after);
-  if (binding_) {
-    const auto& [place, bound] = *binding_;
-    if (bound) {
-      after.bindings[place] = *bound;
+  for (const std::string& place : binding_.places)
+    if (binding_.bound) {
+      after.bindings[place] = *binding_.bound;
       freeRivals(after.bindings, place);
     } else if (place.ends_with('/')) {
       std::erase_if(after.bindings, [&](const auto& told) { return told.first.starts_with(place); });
     } else {
       after.bindings.erase(place);
     }
-  }
   if (const auto kept = firstChanged(objectsOf(document_.marks().locked), design(), after)) {
     tell(Topic::locked, Severity::info,
          (kept->kind == Object::Kind::stations
@@ -458,13 +456,35 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
   live_ = false;
 }
 
+void Workbench::undo() {
+  const std::shared_ptr<const Design> before = document_.design();
+  document_.undoStack().undo();
+  tellUnlocked(*before, tr("the step that was taken back"));
+}
+
+void Workbench::redo() {
+  const std::shared_ptr<const Design> before = document_.design();
+  document_.undoStack().redo();
+  tellUnlocked(*before, tr("the step that was made again"));
+}
+
+void Workbench::tellUnlocked(const Design& before, const QString& step) {
+  const auto other = firstChanged(objectsOf(document_.marks().locked), before, design());
+  if (!other) return;
+  const QString name = QString::fromStdString(printable(nameOf(before, *other)));
+  tell(Topic::made, Severity::info,
+       (other->kind == Object::Kind::stations ? tr("The %1 are locked, but were changed by %2")
+                                              : tr("%1 is locked, but was changed by %2"))
+           .arg(name, step));
+}
+
 bool Workbench::handHolds() const { return lastLive_ && QGuiApplication::mouseButtons() != Qt::NoButton; }
 
 void Workbench::editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                           const std::function<void()>& edit) {
-  binding_ = {place, bound};
+  binding_ = {{place}, bound};
   edit();
-  binding_.reset();
+  binding_ = {};
 }
 
 void Workbench::setHidden(const Object& object, bool hidden) {
@@ -529,12 +549,21 @@ void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& ch
         const Cut before = own;
         change(own);
         if (!design.grid) return;
-        // The cuts of a grid that are alike stay so: what goes on from block to block is changed as one.
+        // The cuts of a grid that are alike stay so: what goes on from block to block is changed as one, and
+        // told by the same expressions.
+        const auto placeOf = [&design](const Cut& cut) {
+          return "/cuts/" + std::to_string(&cut - design.cuts.data()) + "/";
+        };
+        const std::vector<std::string> bound = binding_.places;
         for (Cut& other : design.cuts) {
           Cut alike = before;
           alike.id = other.id;
           alike.block = other.block;
-          if (other == alike) change(other);
+          if (&other == &own || other != alike) continue;
+          change(other);
+          for (const std::string& place : bound)
+            if (place.starts_with(placeOf(own)))
+              binding_.places.push_back(placeOf(other) + place.substr(placeOf(own).size()));
         }
       },
       mergeId, live);

@@ -256,8 +256,12 @@ class Workbench : public QObject {
   /// The same for the designed surface that the cut selected is of.
   void editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change, int mergeId = -1,
                    bool live = false);
-  /// Runs `edit`, whose step then also has the number at a place of the file, a JSON pointer, stand for an
-  /// expression, or free of it; where the pointer ends with a slash, all numbers below are freed.
+  /// Takes the last step back, or makes it again. What is locked goes with it, and that is told.
+  void undo();
+  void redo();
+  /// Runs `edit`, whose step then also has the number at a place of the design's `bindings` stand for an
+  /// expression, or free of it; where the place ends with a slash, all numbers below are freed. Cuts of a
+  /// grid that `editCut` changes with the one selected are told by the same expression.
   void editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                  const std::function<void()>& edit);
   /// What the picture leaves out, and what no edit changes: saved with the design. An edit that would change
@@ -297,6 +301,8 @@ class Workbench : public QObject {
   void showPlace(const bw::app::Message& message);
 
  private:
+  /// Tells what is locked and was changed all the same by a step.
+  void tellUnlocked(const Design& before, const QString& step);
   void onReplaced();
   void onDesignChanged();
   void onFinished();
@@ -379,8 +385,11 @@ class Workbench : public QObject {
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
-  using Binding = std::pair<std::string, std::optional<BoundNumber>>;
-  std::optional<Binding> binding_;       ///< of the step that is being made
+  struct Binding {
+    std::vector<std::string> places = {};
+    std::optional<BoundNumber> bound = {};
+  };
+  Binding binding_;                      ///< of the step that is being made
   std::vector<Message> messages_;        ///< of the newest result
   Findings exportFindings_;              ///< of what was written last: other sections, and of its programs
   QStringList leftOut_;                  ///< words of kinds of files

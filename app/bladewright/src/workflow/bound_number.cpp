@@ -28,10 +28,9 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
   const auto refresh = [&bench, field, place] { field->showExpression(boundAt(bench.design(), place())); };
   const auto value = [&bench, place](const std::string& text) -> Result<double> {
     if (place().empty())
-      return fail(
-          ErrorCode::badInput,
-          "no expression can be typed here, because the blocks lie in a grid: those of their cuts are told "
-          "in the file of the design");
+      return fail(ErrorCode::badInput,
+                  "no expression can be typed here, because the block lies in a grid, which tells its place "
+                  "and size");
     return valueOver(bench, text);
   };
   const auto bind = [&bench, place, field = QPointer<NumberField>(field)](
@@ -66,7 +65,6 @@ NumberPlace placeInCut(const Workbench& bench, const std::string& key) {
 NumberPlace placeOfCut(const Workbench& bench, const std::string& id, const std::string& key) {
   return [&bench, id, key]() -> std::string {
     const Design& design = bench.design();
-    if (design.grid) return {};
     const auto cut = std::ranges::find(design.cuts, id, &Cut::id);
     return "/cuts/" + std::to_string(cut - design.cuts.begin()) + key;
   };

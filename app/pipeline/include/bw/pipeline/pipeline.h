@@ -233,6 +233,10 @@ struct Evaluation {
   void takeMissing(const Evaluation& before);
 };
 
+/// An evaluation with its blocks and cuts called as in `design`, so that these find their stages in it, and
+/// its findings tell them so. Empty where none of both is called otherwise in the same place of its list.
+std::optional<Evaluation> calledAs(const Evaluation& evaluation, const Design& design);
+
 /// True if a surface may well be so many mm long: less, and much more, comes of a file that was read in
 /// another unit than it was drawn in.
 constexpr bool isPlausibleSize(double mm) { return mm >= 40 && mm <= 20000; }

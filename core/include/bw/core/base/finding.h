@@ -218,6 +218,7 @@ struct TooFar {
   /// Of a curve without the ends, tangents or length that are asked for, where these keep the blade so far
   /// off.
   std::optional<double> unheld = std::nullopt;
+  bool slackens = false;  ///< it arises where the blade goes over from taut to slack, or back
 };
 /// A part of the target is not cut.
 struct Uncovered {
@@ -228,6 +229,7 @@ struct Uncovered {
   double area = 0, share = 0;  ///< mm², and of all of the target in the block
   double distance = 0;         ///< beyond the cut surface, or off it, at most
   Where where = Where::beside;
+  bool between = false;  ///< it is off between the stations, which keep the tolerance themselves
 };
 /// Some of the surface lies in none of the blocks that it is cut in.
 struct OutsideBlocks {
@@ -295,6 +297,7 @@ struct OffTheSurfaceShown {
   static constexpr FindingKind kind = FindingKind::motion;
   double distance = 0, tolerance = 0;
   bool unrested = false;  ///< as above
+  bool slackens = false;  ///< the blade goes over from taut to slack there, or back
 };
 /// A point of the blade goes faster than the cutting speed as the program is run.
 struct TooFastOnTheWay {

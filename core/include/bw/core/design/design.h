@@ -158,8 +158,9 @@ struct Design {
   Process process;
   Output output;
   std::vector<Variable> variables = {};
-  /// The numbers that expressions stand for, by their JSON pointers in the design's file. One that no longer
-  /// is what its expression came to was changed since, and is free of it.
+  /// The numbers that expressions stand for, by their JSON pointers in the design's file, or in the one that
+  /// it has where all cuts are told one by one. One that no longer is what its expression came to was changed
+  /// since, and is free of it.
   std::map<std::string, BoundNumber> bindings = {};
   std::vector<NamedVersion> versions = {};  ///< in the order in which they were named
   PartMarks marks = {};                     ///< versions have none
