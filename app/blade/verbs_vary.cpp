@@ -120,7 +120,8 @@ int runVary(const Session& session, const VaryOptions& options) {
                                "--set gives " + range->name + ", which --over varies; keep one of them",
                                "set"});
   FileSet files;
-  std::string table = pipeline::varyHead(range->name) + "\n";
+  const std::string head = pipeline::varyHead(range->name);
+  std::string table = head + "\n";
   const RunContext context = session.context();
   bool allGood = true;
   int number = 0;
@@ -131,6 +132,7 @@ int runVary(const Session& session, const VaryOptions& options) {
         table += line + "\n";
         allGood = allGood && variation.good;
         session.endProgress();
+        if (number == 0) std::cerr << range->name << ": " << head.substr(head.find(',') + 1) << "\n";
         std::cerr << range->name << " = " << shortText(variation.value, 6) << ": "
                   << line.substr(line.find(',') + 1) << "\n";
         ++number;

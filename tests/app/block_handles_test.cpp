@@ -62,6 +62,7 @@ TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
   const Design before = bench().design();
   const std::size_t poles = std::size_t(window().surfaceHandles().count());
   EXPECT_EQ(handles().points.size(), poles + 14);
+  EXPECT_EQ(handles().quiet, poles) << "those of the surface stand back";
   const Box was = placementOf(bench())->box();
   hover(handle(BlockPart::right));
   EXPECT_EQ(handles().text.find("Right face: size X "), 0u) << handles().text;

@@ -217,10 +217,31 @@ TEST(DirectionSearch, CountsErrorsFirstThenDeviationThenAngle) {
   snaps.unrested = 2;
   EXPECT_TRUE(better(trial(0, 1.9, 80), snaps)) << "it rests, within the tolerance, too";
   EXPECT_FALSE(better(trial(0, 9, 5), snaps));
+  // Of an open length a gentler angle is not worth a blade that is longer by a fifth.
+  DirectionTrial gentle = trial(0, 1, 5), steep = trial(0, 1, 30);
+  gentle.longest = 856;
+  steep.longest = 625;
+  EXPECT_FALSE(better(gentle, steep));
+  gentle.longest = 700;
+  EXPECT_TRUE(better(gentle, steep));
   DirectionTrial failed = trial(9, 0, 0);
   failed.failure = "no section";
   EXPECT_TRUE(better(trial(9, 5, 80), failed));
   EXPECT_FALSE(better(failed, trial(9, 5, 80)));
+}
+
+TEST(DirectionSearch, AnOpenLengthTakesNoWayThatAsksForAMuchLongerBlade) {
+  Design saddle = exampleDesign("saddle").value();
+  saddle.output.programs.clear();
+  saddle.blade.autoLength = true;
+  const Evaluation found = evaluated(saddle);
+  const DirectionSearch& search = *found.cut().directions.value;
+  EXPECT_EQ(search.chosen, 0u);
+  for (const DirectionTrial& trial : search.trials) {
+    EXPECT_EQ(trial.unrested, 0) << "of no length of its own nothing rests or not: " << trial.name;
+    EXPECT_TRUE(trial.longest > 0 || !trial.failure.empty()) << trial.name;
+  }
+  EXPECT_LT(found.cut().sweep.value->request.blade.length, 800);
 }
 
 TEST(DirectionSearch, StopsOnRequest) {

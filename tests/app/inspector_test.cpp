@@ -173,7 +173,7 @@ TEST_F(InspectorTest, ACutIsEditedWhereItsResultIsRead) {
   ASSERT_NO_FATAL_FAILURE(choose("Direction", 2));
   ASSERT_NO_FATAL_FAILURE(expectKept());
   // What is found is read, not typed.
-  for (const char* name : {"Largest", "Mean", "Smallest radius", "Cutting time"}) {
+  for (const char* name : {"Surface shown", "Mean", "Smallest radius", "Cutting time"}) {
     EXPECT_TRUE(field<ValueLabel>(name)) << name;
     EXPECT_FALSE(field(name)) << name;
   }

@@ -356,6 +356,22 @@ TEST_F(ObjectTreeTest, UndoGoesBackBeyondALockAndSaysSo) {
   EXPECT_FALSE(window().banner().isVisible() && window().banner().text().contains("locked"));
 }
 
+TEST_F(ObjectTreeTest, AMarkStaysWithItsPartWhereANameIsUndone) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::cut, "east"), "Dach"));
+  bench().setLocked({Kind::cut, "Dach"}, true);
+  bench().setHidden({Kind::stations, "Dach"}, true);
+  window().commands()["edit.undo"]->trigger();
+  ASSERT_TRUE(line(Kind::cut, "east"));
+  EXPECT_TRUE(bench().locked({Kind::cut, "east"}));
+  EXPECT_TRUE(bench().hidden({Kind::stations, "east"}));
+  EXPECT_FALSE(window().banner().isVisible() && window().banner().text().contains("locked"))
+      << "a name is no change of what is locked: " << window().banner().text().toStdString();
+  window().commands()["edit.redo"]->trigger();
+  EXPECT_TRUE(bench().locked({Kind::cut, "Dach"}));
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {
   ASSERT_NO_FATAL_FAILURE(open("single-block"));
   const Design before = bench().design();

@@ -401,6 +401,29 @@ TEST(Sketch, KeepsWhatIsKnownOfAWallThatIsPulledFar) {
   }
 }
 
+TEST(Sketch, AHandThatComesBackFromFarGoesOnFromWhereItBegan) {
+  // So far away no row is followed; back again all is known that was, and not only the blades.
+  const Design wall = designed("three-block-wall");
+  const auto pulledBy = [&](double up) {
+    Design design = wall;
+    design.bindings.clear();
+    std::get<SectionsSurface>(design.source().surface->shape).sections[0].points[3].y() += up;
+    return design;
+  };
+  Sketcher sketcher(evaluated(pulledBy(0)));
+  const auto unknown = [&](double up) {
+    const std::optional<Sketch> sketch = sketcher.draw(pulledBy(up), {});
+    EXPECT_TRUE(sketch) << up;
+    std::ptrdiff_t count = 0;
+    for (const std::vector<CutSketch>& block : sketch->blocks)
+      count += std::ranges::count(block[0].look->rest, Rest::unknown);
+    return count;
+  };
+  EXPECT_EQ(unknown(4), 0);
+  EXPECT_GT(unknown(400), 0);
+  EXPECT_EQ(unknown(5), 0);
+}
+
 TEST(Sketch, TellsWhatIsLost) {
   const Design design = designed("bump");
   Sketcher sketcher(evaluated(design));

@@ -53,7 +53,7 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
       if (label->accessibleName() == name && label->isVisible()) return label->text();
     return QString();
   };
-  EXPECT_EQ(number("Largest"), lengthText(bench().sketchedCut()->look->deviationMax));
+  EXPECT_EQ(number("Surface shown"), lengthText(bench().sketchedCut()->look->deviationMax));
   EXPECT_EQ(number("Smallest radius"), radiusText(bench().sketchedCut()->look->minRadius));
   // The hand rests: all of it is there, and how far it may go on.
   ASSERT_TRUE(settle());

@@ -168,11 +168,11 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
       if (label->accessibleName() == name && label->isVisible()) return label;
     return static_cast<ValueLabel*>(nullptr);
   };
-  ASSERT_TRUE(valueOf("Largest"));
-  EXPECT_FALSE(valueOf("Largest")->broken());
+  ASSERT_TRUE(valueOf("Surface shown"));
+  EXPECT_FALSE(valueOf("Surface shown")->broken());
   bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.001; });
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(valueOf("Largest")->broken());
+  EXPECT_TRUE(valueOf("Surface shown")->broken());
   EXPECT_TRUE(valueOf("Within tolerance")->broken());
   EXPECT_FALSE(valueOf("Steepest cut")->broken());
   ASSERT_GE(window().summaryLine().labels().size(), 5u);
@@ -182,10 +182,10 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   const QColor loud = ink(deviation), calm = ink(bend);
   EXPECT_TRUE(red(loud)) << loud.name().toStdString();
   EXPECT_FALSE(red(calm)) << calm.name().toStdString();
-  EXPECT_TRUE(red(ink(*valueOf("Largest")))) << ink(*valueOf("Largest")).name().toStdString();
+  EXPECT_TRUE(red(ink(*valueOf("Surface shown")))) << ink(*valueOf("Surface shown")).name().toStdString();
   picture("broken-numbers");
   bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 4000; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest")->stale(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Surface shown")->stale(); }, kPatience));
   EXPECT_TRUE(window().summaryLine().labels()[1]->stale());
   EXPECT_TRUE(red(ink(deviation))) << ink(deviation).name().toStdString();
   EXPECT_GT(ink(deviation).green(), loud.green() + 40) << "as loud as before";
@@ -193,8 +193,8 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   picture("stale-numbers");
   bench().document().undoStack().setIndex(0);
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(valueOf("Largest")->stale());
-  EXPECT_FALSE(valueOf("Largest")->broken());
+  EXPECT_FALSE(valueOf("Surface shown")->stale());
+  EXPECT_FALSE(valueOf("Surface shown")->broken());
 }
 
 TEST_F(WindowKeys, TellTheStressOfTheBladeThatWasCutWith) {

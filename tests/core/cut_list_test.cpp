@@ -100,6 +100,7 @@ TEST(CutList, UnderAGridExpressionsStayWithTheirCuts) {
   const Result<AnotherCut> another = withAnotherCut(design, design.cuts[0], placed());
   ASSERT_TRUE(another);
   EXPECT_EQ(another->design.cuts.size(), design.cuts.size() + 1);
+  EXPECT_EQ(stations(another->design, another->id), 20) << "its numbers are told as those of the cut beside";
   EXPECT_EQ(stations(another->design, "cut-column-1"), 20);
   EXPECT_EQ(stations(another->design, "more-column-1"), 21);
   EXPECT_EQ(stations(another->design, "cut-column-2"), 22);

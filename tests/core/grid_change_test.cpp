@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "bw/core/base/units.h"
 #include "bw/core/design/grid_change.h"
 #include "bw/core/design/variables.h"
 
@@ -163,7 +164,7 @@ TEST(GridChange, EachCutHasItsExpressionsAlsoWhereItComesToTheSame) {
   EXPECT_EQ(stationsOf(withVariables(with(design, 0, 4, "column-1"), {{"m", 9}}).value()),
             (std::vector<int>{7, 9, 7, 7}));
   const Design one = with(design, 0, 1, "column-2");
-  EXPECT_EQ(placesOf(one), (Texts{{"/cuts/0/offset", "m - 7"}, {"/cuts/0/stations", "m"}}));
+  EXPECT_EQ(placesOf(one), (Texts{{"/cuts/0/stations", "n"}})) << "the first block is left, whose cut it is";
   EXPECT_EQ(*resolved(one), one);
   // Where blocks are told one by one nothing is lost.
   Design listed = design;
@@ -200,10 +201,10 @@ TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
     return std::get<SectionsSurface>(of.source().surface->shape).sections;
   };
   using Points = std::vector<Eigen::Vector2d>;
-  // More columns: the last height goes on.
+  // More columns: they go on in a mirror.
   const Design four = with(design, 0, 4, "column-1");
   EXPECT_EQ(sections(four)[0].points,
-            (Points{{0, 100}, {300, 150}, {600, 200}, {1200, 90}, {1800, 90}, {2400, 90}}));
+            (Points{{0, 100}, {300, 150}, {600, 200}, {1200, 90}, {1800, 200}, {2400, 90}}));
   EXPECT_EQ(sections(four)[1].points, (Points{{0, 100}, {800, 150}, {2400, 130}})) << "poles are stretched";
   const Design again = with(four, 0, 2, "column-1");
   EXPECT_EQ(sections(again)[0].points, sections(design)[0].points);
@@ -217,6 +218,8 @@ TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
   std::erase_if(std::get<SectionsSurface>(bare.source().surface->shape).sections[0].points,
                 [](const Eigen::Vector2d& point) { return point.x() == 600; });
   EXPECT_EQ(sections(with(bare, 0, 1, "column-1"))[0].points, (Points{{0, 100}, {300, 150}, {600, 150}}));
+  EXPECT_EQ(sections(with(with(design, 0, 1, "column-1"), 0, 3, "column-1"))[0].points,
+            (Points{{0, 100}, {300, 150}, {600, 200}, {900, 150}, {1200, 100}, {1500, 150}, {1800, 200}}));
   const Design rows = with(design, 1, 2, "column-1");
   ASSERT_EQ(sections(rows).size(), 3u);
   EXPECT_EQ(sections(rows)[2].y, 1600);
@@ -245,7 +248,7 @@ TEST(GridChange, JointsOfCubicsStayOnTheBoundariesInLine) {
   EXPECT_TRUE(inLine(moved, 3));
   const auto three = chain(with(design, 0, 3, "column-1"));
   ASSERT_EQ(three.size(), 10u);
-  EXPECT_EQ(three[9], Eigen::Vector2d(1800, 90));
+  EXPECT_EQ(three[9], Eigen::Vector2d(1800, 160));
   EXPECT_TRUE(inLine(three, 3));
   EXPECT_TRUE(inLine(three, 6));
   EXPECT_EQ(chain(with(design, 0, 1, "column-1")).size(), 4u);
@@ -286,6 +289,23 @@ TEST(GridChange, ExpressionsOfLengthsThatGoGoWithThem) {
   const Design one = with(rows, 0, 1, "column-1-row-1");
   EXPECT_EQ(placesOf(one),
             (std::vector<std::string>{"/grid/sizes/columns/0", "/grid/sizes/layers", "/grid/sizes/rows"}));
+  EXPECT_EQ(*resolved(one), one);
+}
+
+TEST(GridChange, ExpressionsOfOneBlockAreThoseOfAGridAndBack) {
+  const Design design =
+      designOf(R"({"bladewright_design": 2, "variables": [{"name": "w", "value": 600, "min": 1, "max": 900}],
+    "sources": [{"id": "a", "surface": {"type": "formula", "x": [0, 600], "y": [0, 800], "formula": "100"}}],
+    "stock": [{"id": "block", "block": {"origin": ["=w/6", 0, 0], "size": ["=w", 800, "=w - 100"], "rotation_deg": [0, 0, "=w/20"]}}],
+    "cuts": [{"id": "cut"}]})");
+  const Design three = with(design, 0, 3, "block");
+  const Design wider = withVariables(three, {{"w", 700}}).value();
+  EXPECT_EQ(wider.grid->sizes[0], (std::vector<double>{700, 700, 700}));
+  EXPECT_EQ(wider.grid->sizes[2], (std::vector<double>{600}));
+  EXPECT_NEAR(wider.grid->origin.x(), 700.0 / 6, 1e-9);
+  EXPECT_NEAR(wider.grid->rotation.z(), 35 * kDegree, 1e-12);
+  const Design one = with(three, 0, 1, "column-2");
+  EXPECT_EQ(one.bindings, design.bindings);
   EXPECT_EQ(*resolved(one), one);
 }
 

@@ -53,11 +53,13 @@ TEST(Findings, NumbersAreSeenToPassTheirLimits) {
 
 TEST(Findings, SayWhatAnErrorOfAGripPulls) {
   EXPECT_NE(
-      said(PulledByGrips{0.00042, 0.5, 124.9}, kOne)
-          .find("a grip that is off by 0.5 mm may take up the slack of the blade (0.00042 mm) and pull it, "
+      said(PulledByGrips{0.0042, 0.5, 124.9}, kOne)
+          .find("a grip that is off by 0.5 mm may take up the slack of the blade (0.0042 mm) and pull it, "
                 "by up to 125 N/mm² if nothing gives way"),
       std::string::npos)
-      << said(PulledByGrips{0.00042, 0.5, 124.9}, kOne);
+      << said(PulledByGrips{0.0042, 0.5, 124.9}, kOne);
+  EXPECT_NE(said(PulledByGrips{1.1e-13, 0.5, 124.9}, kOne).find("the slack of the blade (next to none) and"),
+            std::string::npos);
 }
 
 TEST(Findings, SayWhereALengthThatWasTakenServesStationsAlone) {
@@ -67,6 +69,21 @@ TEST(Findings, SayWhereALengthThatWasTakenServesStationsAlone) {
   EXPECT_NE(said(taken, kOne).find("serves all stations, though not all that lies between or beside them"),
             std::string::npos)
       << said(taken, kOne);
+}
+
+TEST(Findings, AFindingGivesItsOwnAdviceAlone) {
+  const std::string why = "The blade cannot be followed there: it is too taut. Take a longer blade.";
+  const std::string way = said(NoWay{true, why}, kOne);
+  EXPECT_NE(way.find("outside of the block: the blade cannot be followed there: it is too taut"),
+            std::string::npos)
+      << way;
+  EXPECT_EQ(way.find("longer"), std::string::npos) << way;
+  EXPECT_EQ(way.find(".;"), std::string::npos) << way;
+  const std::string lost = said(LostOnTheWay{why}, kOne);
+  EXPECT_TRUE(lost.ends_with("it is too taut; take a longer blade")) << lost;
+  // Of ends that turn towards each other no blade is advised.
+  EXPECT_EQ(said(TooTight{150, 240, 30, 2}, kOne, {CutInParts{}}).find("a blade that bends"),
+            std::string::npos);
 }
 
 TEST(Findings, MoreStationsAreNoRemedyWhereTheBladeDoesNotRest) {

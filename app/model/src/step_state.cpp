@@ -30,7 +30,14 @@ QString countText(int count, const char* one, const char* many) {
 void fillDone(StepStates& states, const pipeline::Evaluation& evaluation,
               const pipeline::CutEvaluation& cut) {
   if (cut.setup) {
-    const Eigen::Vector3d& size = cut.block().size;
+    // As its fields and the plan tell it, however it lies for this cut.
+    const auto own = std::ranges::find(evaluation.design.cuts, cut.id, &Cut::id);
+    const auto block = own == evaluation.design.cuts.end()
+                           ? evaluation.design.stock.end()
+                           : std::ranges::find(evaluation.design.stock, own->block, &StockBlock::id);
+    const Eigen::Vector3d size = block != evaluation.design.stock.end() && block->placement
+                                     ? block->placement->size
+                                     : cut.block().size;
     states[int(Step::setup)] = {Kind::done, 0,
                                 QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};

@@ -59,7 +59,11 @@ void addLow(const CutEvaluation& cut, const ProgramPlan& plan, double floor, Fin
           low && finding.where.stations == stations)
         known = std::min(known, low->height);
     if (height < std::min(floor, known) - kFloorRounded)
-      findings.push_back({Severity::warning, NearBottom{height, floor}, {stations, {}}, {}});
+      // Beside its block the cell may have its home lower.
+      findings.push_back({stations ? severityOfLow(height) : Severity::warning,
+                          NearBottom{height, floor},
+                          {stations, {}},
+                          {}});
   };
   for (const ProgramMove& move : plan.moves) {
     if (move.instant >= 0 || move.poses.empty()) continue;

@@ -90,9 +90,11 @@ Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& pla
   e.setup = e.placed.value;
   if (work.cut.direction || e.setup->planes.turns()) return work.unlessStopped();
   FitRequest any = fitRequest(work.design, work.cut, e.placed.value->block);
-  if (work.blade().autoLength)  // long enough for every way across
+  if (work.blade().autoLength) {  // long enough for every way across
+    any.blade.autoLength = true;
     any.blade.length =
         std::min(Blade::kLongest, kEnough * e.placed.value->block.size.norm() + 2 * any.clearance);
+  }
   ok = work.settle(&CutEvaluation::directions, {*e.placed.value, any}, {e.target.value},
                    work.seconds.direction, [&work, &target](const RowRequest& request, Findings& findings) {
                      work.context.report(0.25, "direction");

@@ -21,6 +21,8 @@ constexpr int kSparedAtAnEnd = 1;
 /// What is clearly better: a deviation of this part, an angle smaller by this much.
 constexpr double kSmallerDeviation = 0.8;
 constexpr double kSmallerAngle = 10 * kDegree;
+/// A blade that is longer by this part hangs lower, reaches farther and gives way sooner.
+constexpr double kLongerBlade = 1.2;
 
 /// Stations left out inside the row, or beyond those spared at its ends. What lies in a gap, where there is
 /// nothing to be cut, has no section.
@@ -80,6 +82,8 @@ Tried tried(const geometry::Target& target, const RowRequest& request, const geo
     trial.deviationMax = std::max(trial.deviationMax, sweep->fits[i].fit.hausdorff);
     trial.angleMax = std::max(trial.angleMax, check->stations[i].angleMax);
   }
+  if (request.fit.blade.autoLength)
+    for (const StationFit& fit : sweep->fits) trial.longest = std::max(trial.longest, fit.target.length());
   result.sections = std::move(*sections);
   return result;
 }
@@ -135,7 +139,7 @@ bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tole
   if (da < kSmallerDeviation * db) return true;
   if (db < kSmallerDeviation * da) return false;
   if (a.unrested != b.unrested) return a.unrested < b.unrested;
-  return a.angleMax < b.angleMax - kSmallerAngle;
+  return a.angleMax < b.angleMax - kSmallerAngle && a.longest <= kLongerBlade * b.longest;
 }
 
 Findings directionFindings(const DirectionSearch& search) {

@@ -25,6 +25,15 @@ bool sameSections(const std::vector<Section>& a, const std::vector<Section>& b) 
   });
 }
 
+/// mm by which a blade of a row lies off its section, at most.
+double farthestOf(const Sweep& row) {
+  double farthest = 0;
+  for (const StationFit& fit : row.fits) farthest = std::max(farthest, fit.fit.hausdorff);
+  return farthest;
+}
+constexpr double kNear = 0.05;    // of the tolerance,
+constexpr double kAsNear = 1.25;  // or of what it was
+
 /// True if they have more in common than a border.
 bool overlap(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
   return !a.isEmpty() && !b.isEmpty() && (a.min().array() < b.max().array()).all() &&
@@ -107,13 +116,28 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
     sections = std::make_shared<const std::vector<Section>>(std::move(middle.sections));
   }
 
-  if (!row_) {
-    row_ = LiveRow::of(*began_.sweep.value, context);
-    const bool held = began_.sweep.value->request.extend != Extension::none;
-    if (row_ || (held && !sketcher_))
-      sketcher_.emplace(*began_.sweep.value, *began_.certainty.value, *began_.rest.value);
+  // From where the hand began, with what is known there.
+  const auto begin = [&] {
+    const Sweep& began = *began_.sweep.value;
+    row_ = LiveRow::of(began, context);
+    const bool held = began.request.extend != Extension::none;
+    if (row_ || (held && !sketcher_)) sketcher_.emplace(began, *began_.certainty.value, *began_.rest.value);
+  };
+  const auto follows = [&] {
+    return row_ && row_->sweep().request == asked_->fit && row_->follow(*sections, block, planes, context);
+  };
+  const bool onward = row_.has_value();
+  if (!onward) begin();
+  bool followed = follows();
+  if (!followed && onward && !context.stopped()) {
+    // A hand that was far away comes back to where blades are known; one that goes on is not laid worse by
+    // that.
+    begin();
+    const double tolerance = asked_->fit.tolerance;
+    followed = follows() && farthestOf(row_->sweep()) <=
+                                std::max(kNear * tolerance, kAsNear * farthestOf(*began_.sweep.value));
   }
-  if (row_ && row_->sweep().request == asked_->fit && row_->follow(*sections, block, planes, context)) {
+  if (followed) {
     sweep_ = std::make_shared<const Sweep>(row_->sweep());
   } else {
     row_.reset();

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace bw::pipeline {
 
@@ -49,10 +50,12 @@ bool losesShape(const Evaluation& evaluation) {
   });
 }
 
-/// True if an evaluation tells that some of the surface is not cut.
+/// True if an evaluation tells that some of the surface is not cut, not for what blades do between stations.
 bool leavesSome(const Evaluation& evaluation) {
   return std::ranges::any_of(evaluation.findings(), [](const Finding& finding) {
-    return finding.severity == Severity::error && finding.kind() == FindingKind::coverage;
+    const auto* some = std::get_if<Uncovered>(&finding.cause);
+    return finding.severity == Severity::error && finding.kind() == FindingKind::coverage &&
+           !(some && some->between);
   });
 }
 
@@ -158,8 +161,9 @@ bool ReachSearch::confirm(const RunContext& context) {
     const auto evaluation = std::make_shared<const Evaluation>(std::move(outcome.evaluation));
     if (const std::optional<Sketch> sketch = Sketcher(evaluation).draw(design, context)) bar = barOf(*sketch);
     if (bar == Bar::none && leavesSome(*evaluation) && !leavesSome(*from_)) bar = Bar::outside;
-    if (bar == Bar::none && leavesSurface(*evaluation)) bar = Bar::tooFar;
+    // A blade that snaps leaves the surface by that.
     if (bar == Bar::none && losesShape(*evaluation) && !losesShape(*from_)) bar = Bar::lost;
+    if (bar == Bar::none && leavesSurface(*evaluation)) bar = Bar::tooFar;
   }
   if (context.stopped()) return true;
   if (bar != Bar::none) {

@@ -4,6 +4,7 @@
 // What is said of blades and their rows.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "bw/core/base/units.h"
@@ -121,7 +122,13 @@ std::string Sentences::operator()(const TooTight& cause) const {
   std::string text = at() + "the surface is too tight: it bends to a radius of " +
                      mmBeside(cause.radius, cause.limit) + ", the blade only to " + mm(cause.limit) +
                      ", so that it stays " + mm(cause.distance) + " or more off (tolerance " +
-                     mm(cause.tolerance) + "); " + takesText(finding);
+                     mm(cause.tolerance) + "); ";
+  if (!remedyOf<BendingBlade>(finding.remedies))
+    return text +
+           "its ends turn towards each other, so that no blade between two grips follows it whatever it "
+           "bends to: " +
+           kInParts;
+  text += takesText(finding);
   if (const LargerSurface* larger = remedyOf<LargerSurface>(finding.remedies))
     text += ", or a surface at least " + shortText(larger->scale, 4) + " times as large" +
             (larger->bladeLength ? " with a blade of " + mm(*larger->bladeLength, 6) : std::string());
@@ -202,8 +209,9 @@ std::string Sentences::operator()(const GripErrors& cause) const {
 
 std::string Sentences::operator()(const PulledByGrips& cause) const {
   return at() + "a grip that is off by " + shortText(cause.error) +
-         " mm may take up the slack of the blade (" + shortText(cause.slack, 2) +
-         " mm) and pull it, by up to " + shortText(cause.stress, 2) + " N/mm² if nothing gives way";
+         " mm may take up the slack of the blade (" +
+         (cause.slack < 1e-3 ? std::string("next to none") : shortText(cause.slack, 2) + " mm") +
+         ") and pull it, by up to " + shortText(cause.stress, 2) + " N/mm² if nothing gives way";
 }
 
 std::string Sentences::operator()(const HeldByLittle& cause) const {
@@ -527,10 +535,30 @@ std::string Sentences::operator()(const OtherShape& cause) const {
          ")" + lostText(cause, keptText(finding, "take a shorter blade"));
 }
 
+/// What was told as sentences, the last of which advises something, as a clause without that: the advice is
+/// that of the finding.
+static std::string clauseOf(const std::string& why) {
+  std::string clause = why.substr(0, why.find(". "));
+  if (clause.ends_with('.')) clause.pop_back();
+  if (clause.starts_with("The ")) clause[0] = 't';
+  return clause;
+}
+
+/// The same with it.
+static std::string clauseAndAdvice(const std::string& why) {
+  const std::size_t end = why.find(". ");
+  if (end == std::string::npos) return clauseOf(why);
+  std::string advice = why.substr(end + 2);
+  if (advice.ends_with('.')) advice.pop_back();
+  if (!advice.empty()) advice[0] = char(std::tolower(static_cast<unsigned char>(advice[0])));
+  return clauseOf(why) + "; " + advice;
+}
+
 std::string Sentences::operator()(const NoWay& cause) const {
   return std::string("no way is known that leads the blade ") +
          (cause.entry ? "into the shape of the first station" : "out of the shape of the last station") +
-         " outside of the block: " + cause.why + keptText(finding, "take a shorter or stiffer blade");
+         " outside of the block: " + clauseOf(cause.why) +
+         keptText(finding, "take a shorter or stiffer blade");
 }
 
 /// The way from a station to the next one, or that on which a run of the motion is.
@@ -550,7 +578,7 @@ std::string Sentences::operator()(const ArrivesOtherwise&) const {
 }
 
 std::string Sentences::operator()(const LostOnTheWay& cause) const {
-  return wayThere(finding, at()) + "the blade could not be followed: " + cause.why;
+  return wayThere(finding, at()) + "the blade could not be followed: " + clauseAndAdvice(cause.why);
 }
 
 std::string Sentences::operator()(const TooFarOnTheWay& cause) const {

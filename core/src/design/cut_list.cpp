@@ -79,9 +79,19 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
     source.surface = fallingOver(placed);
     changed.sources.push_back(std::move(source));
   }
+  // Its numbers are told as those of the one beside.
+  const auto place = std::size_t(std::ranges::find(design.cuts, beside.id, &Cut::id) - design.cuts.begin());
+  const auto tell = [&] {
+    changed.bindings = detail::withCutBindings(
+        design.bindings, changed.cuts.size(), [&](std::size_t index) -> std::optional<std::size_t> {
+          const auto was = std::ranges::find(design.cuts, changed.cuts[index].id, &Cut::id);
+          return was == design.cuts.end() ? place : std::size_t(was - design.cuts.begin());
+        });
+  };
   if (!design.grid) {
     another.id = cut.id = freeId(design.cuts, "cut");
     changed.cuts.push_back(std::move(cut));
+    tell();
     return another;
   }
   // By a name that no cut begins with.
@@ -104,7 +114,7 @@ Result<AnotherCut> withAnotherCut(const Design& design, const Cut& beside, const
         changed.cuts.push_back(*std::ranges::find(made, block.id, &Cut::block));
       }
     }
-    detail::moveCutBindings(changed.bindings, design.cuts, changed.cuts);
+    tell();
     return another;
   }
 }

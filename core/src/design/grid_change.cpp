@@ -115,11 +115,14 @@ struct Move {
   }
 };
 
+/// Whether what lies in a block goes on in new ones behind it as it was before, in a mirror on the boundary.
+enum class Onward { asLast, mirrored };
+
 /// What lies along a way, in its order, on other boundaries: `at` is its place. Nothing that is there ends
 /// before the last boundary: the last is repeated.
 template <class Thing>
 std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
-                         const std::function<double&(Thing&)>& at) {
+                         const std::function<double&(Thing&)>& at, Onward onward = Onward::asLast) {
   std::vector<Thing> next;
   for (Thing thing : things) {
     double& place = at(thing);
@@ -128,6 +131,18 @@ std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
     next.push_back(std::move(thing));
   }
   for (std::size_t i = move.kept(); i < move.after.size(); ++i) {
+    if (onward == Onward::mirrored && i > move.kept()) {
+      const double first = move.after[i - 2], mirror = move.after[i - 1];
+      const double share = (move.after[i] - mirror) / (mirror - first);
+      for (std::size_t k = next.size(); k-- > 0;) {
+        Thing again = next[k];
+        double& place = at(again);
+        if (place < first - kSame) break;
+        if (place > mirror - kSame) continue;
+        place = mirror + share * (mirror - place);
+        next.push_back(std::move(again));
+      }
+    }
     Thing last = next.back();
     if (at(last) > move.after[i] - kSame) continue;
     at(last) = move.after[i];
@@ -145,8 +160,8 @@ bool covers(const std::vector<Eigen::Vector2d>& points, const Move& x) {
 std::vector<Eigen::Vector2d> chainMoved(const std::vector<Eigen::Vector2d>& chain, const Move& x) {
   std::vector<Eigen::Vector2d> joints;
   for (std::size_t i = 0; i < chain.size(); i += 3) joints.push_back(chain[i]);
-  const std::vector<Eigen::Vector2d> ends =
-      moved<Eigen::Vector2d>(joints, x, [](Eigen::Vector2d& point) -> double& { return point.x(); });
+  const std::vector<Eigen::Vector2d> ends = moved<Eigen::Vector2d>(
+      joints, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored);
   std::vector<Eigen::Vector2d> next = {ends.front()};
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const double width = ends[k].x() - ends[k - 1].x();
@@ -190,8 +205,8 @@ void reachOver(SectionsSurface& surface, const Move& x, const Move& y) {
     else if (section.kind == SectionCurve::Kind::bezier)
       for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
     else
-      section.points = moved<Eigen::Vector2d>(section.points, x,
-                                              [](Eigen::Vector2d& point) -> double& { return point.x(); });
+      section.points = moved<Eigen::Vector2d>(
+          section.points, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored);
   sections = moved<SectionCurve>(sections, y, [](SectionCurve& section) -> double& { return section.y; });
 }
 
@@ -238,6 +253,24 @@ bool isGone(const std::string& pointer, const std::string& place, const std::vec
   if (!pointer.starts_with(place)) return false;
   return list.empty() ||
          (pointer.size() > place.size() + 1 && std::stoul(pointer.substr(place.size() + 1)) >= list.size());
+}
+
+/// What tells where a block alone lies, and how large it is, tells the same of a grid, and the other way.
+std::map<std::string, BoundNumber> carriedPlacement(const Design& design, bool wasGrid) {
+  if (wasGrid == design.grid.has_value()) return {};
+  const std::string stock = "/stock/0/block/", grid = "/grid/";
+  std::map<std::string, BoundNumber> carried;
+  const auto carry = [&](const std::string& inStock, const std::vector<std::string>& inGrid) {
+    for (const std::string& place : wasGrid ? inGrid : std::vector{stock + inStock})
+      if (const auto bound = design.bindings.find(place); bound != design.bindings.end())
+        carried.emplace(wasGrid ? stock + inStock : inGrid.front(), bound->second);
+  };
+  for (std::size_t way = 0; way < 3; ++way) {
+    const std::string axis = "/" + std::to_string(way), sizes = grid + "sizes/" + kGridWays[way];
+    carry("size" + axis, {sizes, sizes + "/0"});
+    for (const std::string key : {"origin", "rotation_deg"}) carry(key + axis, {grid + key + axis});
+  }
+  return carried;
 }
 
 /// Expressions of blocks that are counted otherwise now, and of lengths that are gone. One that is told for
@@ -312,7 +345,10 @@ BlockGrid withCount(BlockGrid grid, std::size_t way, int count, bool divided) {
 }
 
 Result<Design> withGrid(const Design& design, const BlockGrid& before, const BlockGrid& grid,
-                        const std::string& like) {
+                        const std::string& selected) {
+  // A block that is left alone keeps its cuts.
+  const std::string first = before.cells().front().id;
+  const std::string& like = design.grid && grid.count() == 1 ? first : selected;
   const std::vector<Cut> each = cutsLike(design, like);
   if (Result<void> ok = judge(grid, each.size()); !ok) return tl::unexpected<Error>(ok.error());
   for (const auto& way : grid.sizes)
@@ -338,7 +374,9 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
     changed.cuts = cutsOf(changed.stock, each, own);
   }
   carryBindings(changed, design, ids, like);
+  std::map<std::string, BoundNumber> placed = carriedPlacement(changed, design.grid.has_value());
   dropBindings(changed, before, grid);
+  changed.bindings.merge(placed);
   return changed;
 }
 

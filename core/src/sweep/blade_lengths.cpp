@@ -175,6 +175,18 @@ RowTrial* bestOf(Trade& trade) {
   return best;
 }
 
+/// Of those that are about as firm as the firmest the shortest: more of a blade hangs lower, and lies farther
+/// off, for next to nothing.
+RowTrial* bestOf(BladeLengths& lengths) {
+  constexpr double kAsFirm = 0.85;
+  RowTrial* firmest = nullptr;
+  for (RowTrial& one : lengths.trials)
+    if (one.serves() && (!firmest || isFirmer(one, *firmest))) firmest = &one;
+  for (RowTrial& one : lengths.trials)  // ascending
+    if (one.serves() && one.rest == firmest->rest && one.margin >= kAsFirm * firmest->margin) return &one;
+  return firmest;
+}
+
 /// The one to ask about after one that was refused, if any was.
 template <class Trade>
 RowTrial* nextOf(Trade& trade, const RowTrial*) {

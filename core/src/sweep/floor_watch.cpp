@@ -39,7 +39,7 @@ void FloorWatch::see(std::span<const Eigen::Vector3d> points, int station) {
 
 Finding FloorWatch::finding(const Way& way) const {
   const int worst = way.from < 0 ? way.to : way.from;
-  return {Severity::warning,
+  return {severityOfLow(way.lowest.height),
           NearBottom{way.lowest.height, *floor_},
           {StationRange{way.from, way.to, worst, 0}, way.lowest.point},
           {}};

@@ -22,7 +22,7 @@ class FloorWatch {
   /// The blade at the next moment, by points at even arc lengths in the file's frame; at a station by its
   /// index, at none by -1.
   void see(std::span<const Eigen::Vector3d> points, int station);
-  /// A warning for the way in, one for the worst place between stations, one for the way out, where each
+  /// A finding for the way in, one for the worst place between stations, one for the way out, where each
   /// comes below the floor, and lower than the stations beside it. The range of stations is that on both
   /// sides of the way, -1 for none, and counts none of them.
   [[nodiscard]] Findings told();

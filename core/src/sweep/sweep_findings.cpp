@@ -12,6 +12,7 @@
 #include "bw/core/blade/cutting_limits.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/lowest_place.h"
 #include "sweep/held_blade.h"
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
@@ -284,12 +285,13 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
   report(
       Severity::warning, [&](Index i) { return seen[i].clearance < request.clearance && !barred(i); },
       nearness, clear);
-  report(
-      Severity::warning, [&](Index i) { return seen[i].nearBottom; },
-      [&](Index i) { return -seen[i].aboveBottom; },
-      [&](const Stretch& at) -> Told {
-        return {NearBottom{seen[at.worst].aboveBottom, *request.floor}};
-      });
+  for (const Severity low : {Severity::error, Severity::warning})
+    report(
+        low, [&](Index i) { return seen[i].nearBottom && severityOfLow(seen[i].aboveBottom) == low; },
+        [&](Index i) { return -seen[i].aboveBottom; },
+        [&](const Stretch& at) -> Told {
+          return {NearBottom{seen[at.worst].aboveBottom, *request.floor}};
+        });
   const auto moved = [&](Index i) { return seen[i].movedByGrip; };
   for (const bool snaps : {true, false})
     report(
@@ -352,7 +354,21 @@ std::optional<double> scaleThatFits(const std::vector<const Tight*>& row, double
   return scale;
 }
 
+/// Whether the ends of a section, led straight on for so many mm, cross each other: whatever a blade bends
+/// to, its grips would stand on each other's sides.
+bool endsCross(const PlanarCurve& section, double reach) {
+  const Eigen::Vector2d out = -section.tangent(section.start()), on = section.tangent(section.end()),
+                        apart = section.value(section.end()) - section.value(section.start());
+  const double across = out.x() * on.y() - out.y() * on.x();
+  if (std::abs(across) < 1e-9) return false;
+  const double a = (apart.x() * on.y() - apart.y() * on.x()) / across,
+               b = (apart.x() * out.y() - apart.y() * out.x()) / across;
+  return a > 0 && b > 0 && a < reach && b < reach;
+}
+
 Remedies remediesFor(const TightRow& row, const Sweep& sweep, const CheckRequest& request) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (row[i] && endsCross(sweep.fits[i].target, sweep.block.size.norm())) return {CutInParts{}};
   std::vector<const Tight*> worstFirst;
   for (const std::optional<Tight>& tight : row)
     if (tight) worstFirst.push_back(&*tight);

@@ -17,8 +17,8 @@ namespace bw::scene {
 namespace {
 
 // Device-independent pixels.
-constexpr double kDisc = 4.5, kLitDisc = 6.5, kRim = 1.5, kLine = 1, kCurve = 1.5, kWay = 2.5, kTick = 7,
-                 kReach = 10;
+constexpr double kDisc = 4.5, kLitDisc = 6.5, kQuietDisc = 1.8, kRim = 1.5, kLine = 1, kCurve = 1.5,
+                 kWay = 2.5, kTick = 7, kReach = 10;
 constexpr double kPadding = 8, kTextLine = 17, kAway = 18, kMargin = 8;
 constexpr std::size_t kColumns = 44, kMostLines = 4;
 
@@ -47,7 +47,9 @@ int handleAt(const Handles& handles, const Projection& view, double x, double y,
   for (std::size_t i = 0; i < handles.points.size(); ++i) {
     const Spot spot = spotOf(view, handles.points[i]);
     if (!spot.seen || (spot.pixel - Eigen::Vector2d(x, y)).norm() > kReach * pixelRatio) continue;
-    if (best >= 0 && spot.depth >= depth) continue;
+    // Of those that stand back one is found where no other is.
+    const bool quiet = i < handles.quiet, bestQuiet = std::size_t(best) < handles.quiet;
+    if (best >= 0 && (quiet != bestQuiet ? quiet : spot.depth >= depth)) continue;
     best = int(i);
     depth = spot.depth;
   }
@@ -103,8 +105,16 @@ void HandleMarks::update(const Projection& view, int width, int height, const St
     canvas_.disc(at.x(), at.y(), (radius + kRim) * px, colors.panel);
     canvas_.disc(at.x(), at.y(), radius * px, color);
   };
-  for (int i = 0; i < int(spots.size()); ++i)
-    if (i != handles.lit) disc(i, colors.selection, kDisc);
+  for (int i = 0; i < int(spots.size()); ++i) {
+    if (i == handles.lit || !there(i)) continue;
+    if (std::size_t(i) >= handles.quiet) {
+      disc(i, colors.selection, kDisc);
+      continue;
+    }
+    const Eigen::Vector2d& at = spots[std::size_t(i)].pixel;
+    canvas_.disc(at.x(), at.y(), (kQuietDisc + kRim) * px, colors.selection);
+    canvas_.disc(at.x(), at.y(), kQuietDisc * px, colors.panel);
+  }
   for (const int chosen : handles.chosen)
     if (chosen != handles.lit) disc(chosen, colors.accent, kDisc);
   if (there(handles.lit)) {

@@ -3,6 +3,7 @@
 #include "blocks/block_cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "workflow/bound_number.h"
@@ -13,8 +14,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kWidth = 84, kTurnWidth = 66;  // px
-constexpr double kOffsetStep = 1;            // mm
+constexpr int kWidth = 84, kTurnWidth = 66, kLengthWidth = 116;  // px, the last with an expression
+constexpr double kOffsetStep = 1;                                // mm
 
 }  // namespace
 
@@ -79,7 +80,7 @@ NumberField* BlockCuts::addLength(const std::string& cut) {
   field->setObjectName("ownLength");
   field->setAccessibleName(tr("Blade, %1").arg(QString::fromStdString(cut)));
   field->setToolTip(heads_[6]->toolTip());
-  field->setFixedWidth(kWidth);
+  field->setFixedWidth(kLengthWidth);
   return field;
 }
 
@@ -141,6 +142,18 @@ void BlockCuts::setNarrow(bool narrow) {
   if (std::exchange(narrow_, narrow) == narrow) return;
   arrange();
   refresh();
+}
+
+int BlockCuts::wideWidth() const {
+  int width = 0;
+  for (const Line& line : lines_) width = std::max(width, line.name->sizeHint().width());
+  const Line& line = lines_.front();
+  const std::array<const QWidget*, 6> fields = {line.order, line.up,     line.turn,
+                                                line.keep,  line.offset, line.length};
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (!fields[i]->isHidden())
+      width += kGap + std::max(fields[i]->minimumWidth(), heads_[i + 1]->sizeHint().width());
+  return width;
 }
 
 void BlockCuts::refresh() {

@@ -28,6 +28,8 @@ class BlockCuts : public QWidget {
   void refresh();
   /// Whether the name of a cut stands above its line, which then takes less width.
   void setNarrow(bool narrow);
+  /// px that a line takes where names stand beside.
+  int wideWidth() const;
 
  private:
   struct Line {

@@ -132,10 +132,11 @@ void BlockPanel::arrange() {
   const bool beside = viewport()->width() >= kBeside;
   parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   parts_->setContentsMargins(beside ? kGroupGap : kGap, kGap, beside ? kGroupGap : kGap, kGap);
-  cuts_->setNarrow(!beside);
   // Below the plan they are scrolled with it, beside it alone.
   QWidget& details = *details_->widget();
   const int bar = details_->verticalScrollBar()->sizeHint().width();
+  const int room = viewport()->width() - plan_->minimumSizeHint().width() - 3 * kGroupGap - bar;
+  cuts_->setNarrow(!beside || cuts_->wideWidth() > room);
   details_->setMinimumWidth(beside ? std::max(kDetailsWidth, details.minimumSizeHint().width() + bar) : 0);
   details_->setMinimumHeight(beside ? kLeastHeight : details.minimumSizeHint().height());
 }

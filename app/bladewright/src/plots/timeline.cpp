@@ -174,8 +174,10 @@ void Timeline::paintPlot(QPainter& painter, const QRectF& area, const Track& tra
   const double limit = track.limit.value_or(0);
   const bool limitShown = track.limit && (track.least || limit < 2.5 * highest);
   const bool over = track.limit && (track.least ? lowest < limit * (1 - 1e-9) : highest > limit * (1 + 1e-9));
-  const double range =
-      std::max(1.12 * std::max(std::min(highest, track.top), limitShown ? limit : 0.0), 1e-9);
+  // What is nothing beside its limit, as the stress of a blade that is held straight, looks so.
+  constexpr double kNothing = 0.02, kSmallest = 1e-3;
+  const double range = std::max(
+      {1.12 * std::max(std::min(highest, track.top), limitShown ? limit : 0.0), kNothing * limit, kSmallest});
   const auto y = [&](double v) { return area.bottom() - area.height() * v / range; };
   const auto placed = [&](const QPointF& p) { return QPointF(xOf(p.x()), y(p.y())); };
   paintLeftAxis(painter, area, {0, range}, c, true);

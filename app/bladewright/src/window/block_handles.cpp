@@ -354,6 +354,7 @@ void BlockHandles::applyTo(scene::Style& style) const {
   if (!now || style.chooseFaces) return;
   scene::Handles& handles = style.handles;
   const int first = int(handles.points.size());
+  handles.quiet = handles.points.size();
   const int last = int(now->travelled ? BlockPart::lean : BlockPart::moveZ);
   for (int part = 0; part <= last; ++part) handles.points.push_back(placeOf(*now, BlockPart(part)));
   const std::optional<BlockPart> lit =

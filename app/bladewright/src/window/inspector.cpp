@@ -212,14 +212,15 @@ void Inspector::makeResult() {
   cut->addHeading(tr("Cut"));
   cutLines_ = new CutLines(bench_, cut, this);
   column->addHeading(tr("Deviation"));
-  add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
-      &SweepSummary::deviationMax, &SweepLimits::deviation);
+  add(tr("Surface shown"), tr("The largest of the surface shown from the target, also between stations"),
+      lengthText, &SweepSummary::deviationMax, &SweepLimits::deviation);
   follow([](const CutSketch& sketch) { return lengthText(sketch.look->deviationMax); },
          [this](const CutSketch& sketch) {
            return sketch.look->deviationMax > bench_.design().process.tolerance;
          });
   addOfResult(
-      column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
+      column, tr("On the blade's way"),
+      tr("Of the blade from the target, as the robots move it, also between stations"),
       [](const CutResult& result) { return lengthText(result.between.deviationMax); }, &SweepLimits::between);
   addValue(
       column, tr("Program cuts within"),

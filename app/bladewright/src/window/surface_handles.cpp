@@ -386,13 +386,13 @@ std::string SurfaceHandles::pullText() const {
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   if (reach && reach->now != pipeline::Bar::none) {
     text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
-  } else if (const std::vector<int> moved = held(); reach && moved.size() > 1) {
+  } else if (const int together = movingTogether(); reach && together > 1) {
     // The way of one of them would be another.
     QStringList ends;
     for (const pipeline::Reach::End& end : reach->ends)
       if (end.bar != pipeline::Bar::none) ends << number(end.free);
     if (!ends.isEmpty())
-      text += "\n" + tr("%1 handles together: %2 mm at most").arg(moved.size()).arg(ends.join(", "));
+      text += "\n" + tr("%1 handles together: %2 mm at most").arg(together).arg(ends.join(", "));
   }
   if (!pull_->stoppedBy.isEmpty()) text += "\n" + tr("Goes no farther: %1").arg(pull_->stoppedBy);
   QStringList things;
@@ -659,6 +659,15 @@ std::vector<int> SurfaceHandles::held() const {
   std::vector<int> held = chosen_;
   if (pull_ && std::ranges::find(held, pull_->handle) == held.end()) held.push_back(pull_->handle);
   return held;
+}
+
+int SurfaceHandles::movingTogether() const {
+  const std::vector<Eigen::Vector3d> before = placesOf(pull_->base),
+                                     after = placesOf(
+                                         movedBy(pull_->base, held(), pull_->along, habits_.symmetric));
+  int count = 0;
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) count += before[i] != after[i];
+  return count;
 }
 
 double SurfaceHandles::pulledFrom() const {

@@ -165,6 +165,8 @@ class SurfaceHandles : public QObject {
   void settle(bool anyway);
   /// Those that move together.
   std::vector<int> held() const;
+  /// How many these are with their mirrored ones, while one of them is pulled.
+  int movingTogether() const;
   /// The surface with the handles pulled by so many mm from where they were.
   DesignedSurface pulledBy(double by) const;
   /// The number that is moved alone, where `by` is 0; 0 where both are.

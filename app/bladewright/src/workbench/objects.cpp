@@ -170,6 +170,20 @@ Result<Design> renamed(const Design& design, const Object& object, const std::st
   return changed;
 }
 
+PartMarks withNewNames(PartMarks marks, const NewNames& names) {
+  const auto follow = [](std::set<std::string>& marked, const std::map<std::string, std::string>& called) {
+    for (const auto& [from, to] : called)
+      if (marked.contains(from)) marked.insert(to);
+  };
+  for (PartIds* ids : {&marks.hidden, &marks.locked}) {
+    follow(ids->stock, names.blocks);
+    follow(ids->cuts, names.cuts);
+    follow(ids->stations, names.cuts);
+    follow(ids->sources, names.sources);
+  }
+  return marks;
+}
+
 std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
                                    const Design& after) {
   const auto otherSurface = [&](const Cut& cut) { return !same(before.sources, after.sources, cut.source); };

@@ -11,6 +11,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/design/design.h"
 #include "bw/core/design/part_marks.h"
+#include "bw/core/design/part_names.h"
 
 namespace bw::app {
 
@@ -37,6 +38,9 @@ std::string nameOf(const Design& design, const Object& object);
 /// longer than 60 characters or, but for curves, with one that no file can have. A block of a grid has its
 /// cuts called after it; a cut of a grid is renamed with those of the other blocks, which end in their names.
 Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
+
+/// Marks of parts that are called otherwise, under both names: undo brings the old ones back.
+PartMarks withNewNames(PartMarks marks, const NewNames& names);
 
 /// The first of these objects that is another in `after`, or gone, or in which something is: a cut holds its
 /// surface, a block its cuts. Empty if all are as they were.

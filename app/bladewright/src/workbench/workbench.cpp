@@ -469,9 +469,16 @@ void Workbench::redo() {
 }
 
 void Workbench::tellUnlocked(const Design& before, const QString& step) {
-  const auto other = firstChanged(objectsOf(document_.marks().locked), before, design());
+  // Marks follow a name that another step gave or took.
+  const NewNames names = newNames(before, design());
+  if (PartMarks marks = withNewNames(document_.marks(), names); marks != document_.marks()) {
+    document_.setMarks(std::move(marks));
+    emit objectsChanged();
+  }
+  const Design was = calledSo(before, names);
+  const auto other = firstChanged(objectsOf(document_.marks().locked), was, design());
   if (!other) return;
-  const QString name = QString::fromStdString(printable(nameOf(before, *other)));
+  const QString name = QString::fromStdString(printable(nameOf(was, *other)));
   tell(Topic::made, Severity::info,
        (other->kind == Object::Kind::stations ? tr("The %1 are locked, but were changed by %2")
                                               : tr("%1 is locked, but was changed by %2"))
@@ -511,30 +518,18 @@ Result<void> Workbench::rename(const Object& object, const std::string& name) {
   if (name == object.id && !isCurve) return {};
   const Result<Design> changed = renamed(design(), object, name);
   if (!changed) return refuse(Topic::declined, changed.error());
-  // Cuts that a grid calls after their blocks are called otherwise with these.
-  std::vector<std::pair<std::string, std::string>> cuts;
-  for (std::size_t i = 0; i < design().cuts.size(); ++i)
-    if (design().cuts[i].id != changed->cuts[i].id)
-      cuts.emplace_back(design().cuts[i].id, changed->cuts[i].id);
+  // With a block of a grid its cuts are called otherwise, and with one of these those of other blocks.
+  const NewNames names = newNames(design(), *changed);
   Selection next = selection_;
-  if (object.kind == Object::Kind::block && next.block == object.id) next.block = name;
-  for (const auto& [from, to] : cuts)
-    if (selection_.cut == from) next.cut = to;
+  followName(names.blocks, next.block);
+  followName(names.cuts, next.cut);
   const std::string was = isCurve ? nameOf(design(), object) : object.id;
   editDesign(tr("Rename %1").arg(QString::fromStdString(printable(was))),
              [&changed](Design& design) { design = *changed; });
   // Marks call a curve by its place.
   if (design() != *changed || isCurve) return {};
   // The old name stays hidden too: undo brings it back.
-  PartMarks marks = document_.marks();
-  const auto followName = [&](Object::Kind kind, const std::string& from, const std::string& to) {
-    std::set<std::string>& ids = idsOf(marks.hidden, kind);
-    if (ids.contains(from)) ids.insert(to);
-  };
-  if (object.kind != Object::Kind::cut) followName(object.kind, object.id, name);
-  for (const auto& [from, to] : cuts)
-    for (const Object::Kind kind : {Object::Kind::cut, Object::Kind::stations}) followName(kind, from, to);
-  document_.setMarks(std::move(marks));
+  document_.setMarks(withNewNames(document_.marks(), names));
   if (next != selection_) select(next);
   emit objectsChanged();
   return {};

@@ -147,6 +147,7 @@ struct Handles {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<int, 2>> lines;  ///< between two of them
   std::vector<Polyline> curves;           ///< beside them
+  std::size_t quiet = 0;                  ///< the first so many stand back behind the others
   std::vector<int> chosen;                ///< those that move together
   int lit = -1;                           ///< the one that is held, or under the cursor
   std::string text;                       ///< beside it

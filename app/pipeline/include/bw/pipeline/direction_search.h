@@ -25,6 +25,7 @@ struct DirectionTrial {
   double deviationMax = 0;   ///< mm, of the fits from their sections
   double angleMax = 0;       ///< rad, largest cutting angle
   int unrested = 0;          ///< at which a blade of the length given does not rest as it hangs
+  double longest = 0;        ///< mm, of the sections, where the length of the blade is left open; else 0
   std::string failure = {};  ///< why there is no sweep; empty if there is one
 };
 
@@ -36,7 +37,7 @@ struct DirectionSearch {
 
 /// True if `a` is clearly the better way to go: fewer unusable stations; else a deviation, counted from the
 /// tolerance on, that is smaller by a fifth; else fewer stations at which the blade does not rest; else a
-/// largest cutting angle that is smaller by 10°
+/// largest cutting angle that is smaller by 10°, unless it asks for a blade that is longer by a fifth
 /// (docs/mathematics.md, cutting direction).
 [[nodiscard]] bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tolerance);
 

@@ -21,12 +21,13 @@ std::optional<BlockGrid> gridOf(const Design& design, const BlockPlacement& plac
 BlockGrid withCount(BlockGrid grid, std::size_t way, int count, bool divided);
 
 /// The design with its blocks laid out by `grid` in place of `before`. Blocks that stay keep their cuts;
-/// others get those of the block `like`; a grid of one block is a block of its own. Designed surfaces that
-/// were told over the whole of `before` as seen from above are told over the whole of `grid`: the rectangle
-/// of poles and formulas is another, points of sections and joints of their cubics stay on the boundaries of
-/// the blocks on which they lie, as key blades do, those beyond the last go, and new boundaries get such as
-/// high as the last. Error
-/// `badInput`: more blocks or cuts than a design may have, or a block that is no block.
+/// others get those of the block `like`; a grid of one block is a block of its own. Expressions go with what
+/// they tell. Designed surfaces that were told over the whole of `before` as seen from above are told over
+/// the whole of `grid`: the rectangle of poles and formulas is another, points of sections and joints of
+/// their cubics stay on the boundaries of the blocks on which they lie, as key blades do, and those beyond
+/// the last go; over more columns sections go on in a mirror on each boundary, over more rows the last one,
+/// or the last key blade, is repeated. Error `badInput`: more blocks or cuts than a design may have, or a
+/// block that is no block.
 Result<Design> withGrid(const Design& design, const BlockGrid& before, const BlockGrid& grid,
                         const std::string& like);
 

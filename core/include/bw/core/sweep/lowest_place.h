@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "bw/core/base/finding.h"
 #include "bw/core/base/frame.h"
 #include "bw/core/sweep/blade_pose.h"
 
@@ -31,6 +32,10 @@ inline constexpr int kLowestPlaces = 41;
 /// The block, where the lowest of these blades comes nearer to the face that it lies on than `room`, in mm,
 /// going on below by so many whole mm that none does.
 [[nodiscard]] Box standingBelow(Box block, std::span<const BladePose> poses, double room);
+
+/// Of a blade that comes nearer to the face that its block lies on than the floor: below it is what bears the
+/// block, and no robot may drive a blade there.
+constexpr Severity severityOfLow(double height) { return height < 0 ? Severity::error : Severity::warning; }
 
 /// mm below the floor that are not told: heights on the way are known no better.
 inline constexpr double kFloorRounded = 0.05;
