@@ -226,6 +226,22 @@ TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
   EXPECT_EQ(sections(rows)[2].points, sections(design)[1].points);
 }
 
+TEST(GridChange, HeightsThatAreMirroredAreToldByTheirExpressions) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "variables": [{"name": "low", "value": 100, "min": 0, "max": 300}, {"name": "high", "value": 200, "min": 0, "max": 300}],
+    "sources": [{"id": "a", "surface": {"type": "sections", "sections": [
+      {"y": 0, "spline": [[0, "=low"], [300, "=high - 20"], [600, "=high"]]},
+      {"y": 800, "spline": [[0, 100], [600, "=high"]]}]}}],
+    "grid": {"columns": 1, "rows": 2, "sizes": {"columns": 600, "rows": 400}}, "cuts": [{"id": "cut"}]})");
+  const Design three = withVariables(with(design, 0, 3, "row-1"), {{"high", 250}, {"low", 120}}).value();
+  const auto& sections = std::get<SectionsSurface>(three.source().surface->shape).sections;
+  using Points = std::vector<Eigen::Vector2d>;
+  EXPECT_EQ(sections[0].points,
+            (Points{{0, 120}, {300, 230}, {600, 250}, {900, 230}, {1200, 120}, {1500, 230}, {1800, 250}}));
+  EXPECT_EQ(sections[1].points, (Points{{0, 100}, {600, 250}, {1200, 100}, {1800, 250}}));
+  EXPECT_EQ(*resolved(three), three);
+}
+
 TEST(GridChange, JointsOfCubicsStayOnTheBoundariesInLine) {
   const Design design = designOf(R"({"bladewright_design": 2,
     "sources": [{"id": "a", "surface": {"type": "sections", "sections": [

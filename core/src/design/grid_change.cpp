@@ -119,16 +119,21 @@ struct Move {
 enum class Onward { asLast, mirrored };
 
 /// What lies along a way, in its order, on other boundaries: `at` is its place. Nothing that is there ends
-/// before the last boundary: the last is repeated.
+/// before the last boundary: the last is repeated. `origins` gets of each the place in the list that it had,
+/// or that of which it is a copy has.
 template <class Thing>
 std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
-                         const std::function<double&(Thing&)>& at, Onward onward = Onward::asLast) {
+                         const std::function<double&(Thing&)>& at, Onward onward = Onward::asLast,
+                         std::vector<std::size_t>* origins = nullptr) {
   std::vector<Thing> next;
-  for (Thing thing : things) {
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    Thing thing = things[i];
     double& place = at(thing);
     if (!move.stays(place)) continue;
     place = move(place);
     next.push_back(std::move(thing));
+    of.push_back(i);
   }
   for (std::size_t i = move.kept(); i < move.after.size(); ++i) {
     if (onward == Onward::mirrored && i > move.kept()) {
@@ -141,13 +146,16 @@ std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
         if (place > mirror - kSame) continue;
         place = mirror + share * (mirror - place);
         next.push_back(std::move(again));
+        of.push_back(of[k]);
       }
     }
     Thing last = next.back();
     if (at(last) > move.after[i] - kSame) continue;
     at(last) = move.after[i];
     next.push_back(std::move(last));
+    of.push_back(of.back());
   }
+  if (origins) *origins = std::move(of);
   return next;
 }
 
@@ -194,19 +202,26 @@ void reachOver(BladesSurface& surface, const Move& y) {
   blades = moved<KeyBlade>(blades, y, [](KeyBlade& blade) -> double& { return blade.y; });
 }
 
-void reachOver(SectionsSurface& surface, const Move& x, const Move& y) {
+/// Points of splines by their section, and of each the point that it had been, or is a copy of.
+using Origins = std::vector<std::vector<std::size_t>>;
+
+void reachOver(SectionsSurface& surface, const Move& x, const Move& y, Origins& origins) {
   std::vector<SectionCurve>& sections = surface.sections;
   const bool whole = !sections.empty() && y.covers(sections.front().y, sections.back().y) &&
                      std::ranges::all_of(sections, [&](const auto& one) { return covers(one.points, x); });
   if (!whole) return;
-  for (SectionCurve& section : sections)
+  origins.resize(sections.size());
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    SectionCurve& section = sections[i];
     if (isChainAlong(section))
       section.points = chainMoved(section.points, x);
     else if (section.kind == SectionCurve::Kind::bezier)
       for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
     else
       section.points = moved<Eigen::Vector2d>(
-          section.points, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored);
+          section.points, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored,
+          &origins[i]);
+  }
   sections = moved<SectionCurve>(sections, y, [](SectionCurve& section) -> double& { return section.y; });
 }
 
@@ -216,8 +231,9 @@ void reachOver(Rectangle& over, const Move& x, const Move& y) {
 }
 
 /// A surface that reached over all of a grid reaches over all of another one.
-void reachOver(DesignedSurface& surface, const BlockGrid& before, const BlockGrid& grid) {
-  if (surface.rotation != before.rotation || grid.rotation != before.rotation) return;
+Origins reachOver(DesignedSurface& surface, const BlockGrid& before, const BlockGrid& grid) {
+  Origins origins;
+  if (surface.rotation != before.rotation || grid.rotation != before.rotation) return origins;
   const Eigen::Matrix3d turn = rotationFromAngles(before.rotation);
   const auto moveAlong = [&](std::size_t way) {
     const auto from = [&](const BlockGrid& of) -> double {
@@ -228,8 +244,28 @@ void reachOver(DesignedSurface& surface, const BlockGrid& before, const BlockGri
   const Move x = moveAlong(0), y = moveAlong(1);
   if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) reachOver(poles->over, x, y);
   if (auto* formula = std::get_if<FormulaSurface>(&surface.shape)) reachOver(formula->over, x, y);
-  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape)) reachOver(*sections, x, y);
+  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape)) reachOver(*sections, x, y, origins);
   if (auto* blades = std::get_if<BladesSurface>(&surface.shape)) reachOver(*blades, y);
+  return origins;
+}
+
+/// Expressions of points go with these; heights of those that are copies are told as those of which they are.
+void followPoints(Design& design, std::size_t source, const Origins& origins) {
+  const std::map<std::string, BoundNumber> before = design.bindings;
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    for (const char* kind : {"spline", "ducks"}) {
+      if (origins[i].empty()) continue;
+      const std::string points =
+          "/sources/" + std::to_string(source) + "/surface/sections/" + std::to_string(i) + "/" + kind + "/";
+      std::erase_if(design.bindings, [&](const auto& bound) { return bound.first.starts_with(points); });
+      for (std::size_t point = 0; point < origins[i].size(); ++point)
+        for (const char* number : {"/0", "/1"}) {
+          const std::size_t of = origins[i][point];
+          if (of != point && number[1] == '0') continue;  // it lies elsewhere
+          const auto bound = before.find(points + std::to_string(of) + number);
+          if (bound != before.end()) design.bindings[points + std::to_string(point) + number] = bound->second;
+        }
+    }
 }
 
 Result<void> judge(const BlockGrid& grid, std::size_t cutsEach) {
@@ -355,8 +391,9 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
     for (const double size : way)
       if (!(size > 0)) return fail(ErrorCode::badInput, "a block must be larger than 0 mm", "grid", size, 0);
   Design changed = design;
-  for (Source& source : changed.sources)
-    if (source.surface) reachOver(*source.surface, before, grid);
+  for (std::size_t i = 0; i < changed.sources.size(); ++i)
+    if (std::optional<DesignedSurface>& surface = changed.sources[i].surface)
+      followPoints(changed, i, reachOver(*surface, before, grid));
   const BlockGrid kept = named(grid, before);
   const std::map<std::string, std::string> ids = idsAfter(before, kept);
   changed.stock = stockOf(kept);
