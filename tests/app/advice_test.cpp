@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "bw/core/blade/blade.h"
 #include "bw/core/design/variables.h"
@@ -299,6 +300,20 @@ TEST(Advice, TheWayThatIsToldLeadsToAnotherStation) {
     EXPECT_LT(finding.where.stations->last, last) << words::sentence(finding, words::Reader::commandLine);
   }
   EXPECT_TRUE(any);
+}
+
+TEST(Advice, OneWayBelowTheFloorIsToldOnce) {
+  Design design = exampleDesign("single-block").value();
+  design.output.programs.clear();
+  Evaluation e = evaluated(design, Purpose::live);
+  const StationRange out{32, -1, 32, 0}, in{-1, 0, 0, 0};
+  e.cut().motion.findings.push_back({Severity::error, NearBottom{-20, 20}, {out, {}}, {}});
+  e.cut().motion.findings.push_back({Severity::error, NearBottom{-30, 20}, {in, {}}, {}});
+  e.cell.findings.push_back({Severity::error, NearBottom{-120, 20}, {out, {}}, {}});
+  std::vector<double> heights;
+  for (const Finding& finding : e.findings())
+    if (const auto* low = std::get_if<NearBottom>(&finding.cause)) heights.push_back(low->height);
+  EXPECT_EQ(heights, (std::vector<double>{-30, -120})) << "that of the cell, where it is lower";
 }
 
 TEST(Advice, MoreStationsAreNotAdvisedWhereTheBladeGoesOverFromTautToSlack) {

@@ -127,6 +127,19 @@ TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
   EXPECT_EQ(made->bindings, design->bindings) << "its expressions come back, too";
 }
 
+TEST(CutTable, TellsTheExpressionsOfADirection) {
+  const Result<Design> design = parseDesign(R"({"bladewright_design": 2,
+    "variables": [{"name": "lean", "value": 0.1, "min": 0, "max": 1}],
+    "sources": [{"surface": {"type": "formula", "formula": "100"}}],
+    "cuts": [{"id": "cut", "direction": ["=lean", 1, 0]}]})");
+  ASSERT_TRUE(design) << design.error().message;
+  for (const std::string& table : {cutTableCsv(*design), cutTableJson(*design)}) {
+    const Result<Design> made = withCutTable(*design, table);
+    ASSERT_TRUE(made) << made.error().message << table;
+    EXPECT_EQ(made->bindings, design->bindings) << table;
+  }
+}
+
 TEST(CutTable, WhatIsWrongIsNamed) {
   const Design design = plain();
   const auto says = [&](const std::string& table, const char* words) {

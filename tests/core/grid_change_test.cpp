@@ -242,6 +242,21 @@ TEST(GridChange, HeightsThatAreMirroredAreToldByTheirExpressions) {
   EXPECT_EQ(*resolved(three), three);
 }
 
+TEST(GridChange, MirroredPointsStayOnBoundariesThatExpressionsMove) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "variables": [{"name": "width", "value": 600, "min": 100, "max": 900}],
+    "sources": [{"id": "a", "surface": {"type": "sections", "sections": [
+      {"y": 0, "spline": [[0, 100], ["=width", 200], ["=2*width", 100]]},
+      {"y": 800, "spline": [[0, 100], [600, 200], [1200, 100]]}]}}],
+    "grid": {"columns": 2, "rows": 1, "sizes": {"columns": "=width", "rows": 800}}, "cuts": [{"id": "cut"}]})");
+  const Design four = with(design, 0, 4, "column-1");
+  EXPECT_EQ(four.bindings.at("/sources/0/surface/sections/0/spline/4/0").text, "4*width");
+  EXPECT_FALSE(four.bindings.contains("/sources/0/surface/sections/1/spline/4/0")) << "none is told so there";
+  const Design wider = withVariables(four, {{"width", 700}}).value();
+  EXPECT_EQ(std::get<SectionsSurface>(wider.source().surface->shape).sections[0].points,
+            (std::vector<Eigen::Vector2d>{{0, 100}, {700, 200}, {1400, 100}, {2100, 200}, {2800, 100}}));
+}
+
 TEST(GridChange, JointsOfCubicsStayOnTheBoundariesInLine) {
   const Design design = designOf(R"({"bladewright_design": 2,
     "sources": [{"id": "a", "surface": {"type": "sections", "sections": [

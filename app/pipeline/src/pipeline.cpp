@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "advice.h"
 #include "block_layout.h"
@@ -500,6 +502,28 @@ const CutEvaluation* Evaluation::find(const std::string& id) const {
   return nullptr;
 }
 
+namespace {
+
+/// Of one way that comes near to the floor in the motion and still nearer in the cell the latter is told.
+void keepLowest(Findings& all) {
+  std::vector<const Finding*> low;
+  for (const Finding& finding : all)
+    if (std::holds_alternative<NearBottom>(finding.cause)) low.push_back(&finding);
+  const auto height = [](const Finding& finding) { return std::get<NearBottom>(finding.cause).height; };
+  Findings kept;
+  for (const Finding& one : all) {
+    const bool lower =
+        std::holds_alternative<NearBottom>(one.cause) && std::ranges::any_of(low, [&](const Finding* other) {
+          return height(*other) < height(one) && other->where.stations == one.where.stations &&
+                 other->where.block == one.where.block && other->where.cut == one.where.cut;
+        });
+    if (!lower) kept.push_back(one);
+  }
+  if (kept.size() < all.size()) all = std::move(kept);
+}
+
+}  // namespace
+
 Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
@@ -538,6 +562,7 @@ Findings Evaluation::findings() const {
   append(all, joints.findings);
   append(all, cell.findings);
   append(all, programs);
+  keepLowest(all);
   return all;
 }
 

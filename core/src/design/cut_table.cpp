@@ -198,7 +198,9 @@ std::string cutTableCsv(const Design& design) {
   for (std::size_t i = 0; i < design.cuts.size(); ++i) {
     const Cut& cut = design.cuts[i];
     json row = rowOf(design, i);
-    if (cut.direction) {
+    const bool told = row["direction"].is_array() &&
+                      std::ranges::any_of(row["direction"], [](const json& n) { return n.is_string(); });
+    if (cut.direction && !told) {
       const Eigen::Vector3d& d = *cut.direction;
       row["direction"] =
           numberJson(d.x()).dump() + " " + numberJson(d.y()).dump() + " " + numberJson(d.z()).dump();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bw/core/design/cut_list.h"
+#include "bw/core/design/variables.h"
 #include "design/grid_cuts.h"
 
 namespace bw {
@@ -268,6 +269,34 @@ void followPoints(Design& design, std::size_t source, const Origins& origins) {
     }
 }
 
+/// Places of copies that lie on boundaries are told by the expression of the width of all columns, where
+/// those of points before them are told by one.
+void tellPlaces(Design& design, std::size_t source, const Origins& origins) {
+  const auto width = design.bindings.find("/grid/sizes/columns");
+  const std::optional<DesignedSurface>& surface = design.sources[source].surface;
+  if (width == design.bindings.end() || !design.grid || !surface) return;
+  const auto* shape = std::get_if<SectionsSurface>(&surface->shape);
+  const bool fromThere = (design.grid->origin - surface->origin).norm() < kSame;
+  if (!shape || !fromThere ||
+      design.grid->extent(0) > width->second.value * double(design.grid->sizes[0].size()) + kSame)
+    return;
+  const std::string& text = width->second.text;
+  const std::string one = isVariableName(text) ? text : "(" + text + ")";
+  for (std::size_t i = 0; i < origins.size() && i < shape->sections.size(); ++i)
+    for (const char* kind : {"spline", "ducks"}) {
+      const std::string points =
+          "/sources/" + std::to_string(source) + "/surface/sections/" + std::to_string(i) + "/" + kind + "/";
+      bool told = false;
+      for (std::size_t point = 0; point < origins[i].size(); ++point) {
+        const std::string place = points + std::to_string(point) + "/0";
+        told = told || design.bindings.contains(place);
+        const double x = shape->sections[i].points[point].x(), columns = std::round(x / width->second.value);
+        if (told && origins[i][point] != point && std::abs(x - columns * width->second.value) < kSame)
+          design.bindings[place] = {std::to_string(int(columns)) + "*" + one, x};
+      }
+    }
+}
+
 Result<void> judge(const BlockGrid& grid, std::size_t cutsEach) {
   const std::size_t blocks = grid.count();
   if (blocks > std::size_t(BlockGrid::kMostBlocks))
@@ -391,9 +420,10 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
     for (const double size : way)
       if (!(size > 0)) return fail(ErrorCode::badInput, "a block must be larger than 0 mm", "grid", size, 0);
   Design changed = design;
+  std::vector<Origins> origins(changed.sources.size());
   for (std::size_t i = 0; i < changed.sources.size(); ++i)
     if (std::optional<DesignedSurface>& surface = changed.sources[i].surface)
-      followPoints(changed, i, reachOver(*surface, before, grid));
+      followPoints(changed, i, origins[i] = reachOver(*surface, before, grid));
   const BlockGrid kept = named(grid, before);
   const std::map<std::string, std::string> ids = idsAfter(before, kept);
   changed.stock = stockOf(kept);
@@ -414,6 +444,7 @@ Result<Design> withGrid(const Design& design, const BlockGrid& before, const Blo
   std::map<std::string, BoundNumber> placed = carriedPlacement(changed, design.grid.has_value());
   dropBindings(changed, before, grid);
   changed.bindings.merge(placed);
+  for (std::size_t i = 0; i < origins.size(); ++i) tellPlaces(changed, i, origins[i]);
   return changed;
 }
 
