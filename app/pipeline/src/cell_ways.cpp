@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "bw/core/sweep/lowest_place.h"
@@ -49,15 +48,10 @@ void addLow(const CutEvaluation& cut, const ProgramPlan& plan, double floor, Fin
     lowest.height += left.position.z() - sweep.block.frame.toLocal(pose.leftPoint()).z();
     return lowest.height;
   };
-  const Findings ofMotion = cut.findings();
   const auto tell = [&](const std::vector<Pose>& at, const BladePose& pose, double known,
                         std::optional<StationRange> stations) {
     const double height = heldAt(pose, at.front());
-    // What is as low on the motion, there or farther on the same way, is told of it.
-    for (const Finding& finding : ofMotion)
-      if (const auto* low = std::get_if<NearBottom>(&finding.cause);
-          low && finding.where.stations == stations)
-        known = std::min(known, low->height);
+    // What is as low on the motion is told of it; farther on the same way, the lower of both.
     if (height < std::min(floor, known) - kFloorRounded)
       // Beside its block the cell may have its home lower.
       findings.push_back({stations ? severityOfLow(height) : Severity::warning,
