@@ -86,6 +86,7 @@ TEST(Advice, AMarginThatIsAdvisedKeepsWhatWasLostForWantOfIt) {
 TEST(Advice, ARoundBladeNeedsNoneToStayInItsPlane) {
   Design design = panel("steel-tube-3-2.5", 1000);
   design.process.margin = 0;
+  design.process.gripError = design.process.gripAngle = 0;
   const Evaluation e = evaluated(design);
   EXPECT_EQ(lostOf(e), 0);
   for (const StationCheck& station : e.cut().check.value->stations) EXPECT_GT(station.outOfPlaneMargin, 0);

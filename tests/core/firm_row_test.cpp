@@ -159,28 +159,29 @@ TEST(FirmRow, WhatAGripThatIsOffLetsSnapIsTold) {
   const Sweep row = rowOf(settings, kTwoWays);
   const Result<FirmRow> firm = firmRow(row, {});
   ASSERT_TRUE(firm && firm->row);
-  RowRest rest{std::vector<Rest>(row.poses.size(), Rest::held)};
+  const RowRest held{std::vector<Rest>(row.poses.size(), Rest::held)};
   int told = 0, quiet = 0;
   for (const double error : {0.0, 0.02, 0.1, 0.5, 1.0}) {
     CheckRequest request;
     request.gripError = error;
     request.gripAngle = 0.4 * error * kDegree;
-    const Result<Findings> findings = heldWithGripsOff(*firm->row, firm->certainty, rest, request, {});
-    ASSERT_TRUE(findings);
+    RowRest rest = held;
+    ASSERT_TRUE(judgeGripsOff(*firm->row, firm->certainty, request, {}, rest));
     for (std::size_t i = 0; i < row.poses.size(); ++i) {
       const bool snaps = snapsAround(*firm->row, i, request);
-      const auto found = std::ranges::find_if(*findings, [&](const Finding& finding) {
+      const auto found = std::ranges::find_if(rest.findings, [&](const Finding& finding) {
         const StationRange& at = *finding.where.stations;
         return int(i) >= at.first && int(i) <= at.last;
       });
-      if (found == findings->end()) {
+      if (found == rest.findings.end()) {
         EXPECT_FALSE(snaps) << i << " " << error;
         ++quiet;
         continue;
       }
       ++told;
       const HeldByLittle& cause = std::get<HeldByLittle>(found->cause);
-      EXPECT_EQ(found->severity, Severity::warning);
+      EXPECT_EQ(found->severity, cause.barrier > 0 ? Severity::warning : Severity::error);
+      EXPECT_EQ(rest.stations[i], cause.barrier > 0 ? Rest::held : Rest::lost);
       EXPECT_LT(cause.barrier, kLeastBarrier);
       if (cause.barrier == 0 && found->where.stations->worst == int(i)) {
         EXPECT_TRUE(snaps) << i << " " << error;
@@ -190,8 +191,9 @@ TEST(FirmRow, WhatAGripThatIsOffLetsSnapIsTold) {
   EXPECT_GT(told, 0);
   EXPECT_GT(quiet, 0);
   // What is certain, or lost anyway, is not told of.
-  std::ranges::fill(rest.stations, Rest::certain);
-  EXPECT_TRUE(heldWithGripsOff(*firm->row, firm->certainty, rest, {}, {})->empty());
+  RowRest certain{std::vector<Rest>(row.poses.size(), Rest::certain)};
+  ASSERT_TRUE(judgeGripsOff(*firm->row, firm->certainty, {}, {}, certain));
+  EXPECT_TRUE(certain.findings.empty());
 }
 
 TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLength = 800, kTightest = 97.5;  // mm; the smallest of all presets
+constexpr double kLength = 800, kTightest = 92;  // mm; the smallest of all presets
 
 double lowestOf(const Box& block, const std::vector<Vector3d>& points) {
   double lowest = std::numeric_limits<double>::infinity();

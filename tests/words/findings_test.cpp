@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -59,6 +60,25 @@ TEST(Findings, SayWhatAnErrorOfAGripPulls) {
       std::string::npos)
       << said(PulledByGrips{0.0042, 0.5, 124.9}, kOne);
   EXPECT_NE(said(PulledByGrips{1.1e-13, 0.5, 124.9}, kOne).find("the slack of the blade (next to none) and"),
+            std::string::npos);
+}
+
+TEST(Findings, SayWhereABladeSnapsOnceAGripIsOff) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity(), kTurned = 0.2 * kDegree;
+  const GripErrors snaps{kInfinite, 0.5, kTurned, 2, true};
+  const std::string exactly = ", or let the grips be held more exactly (grip error, grip turn)";
+  EXPECT_EQ(said(snaps, kOne, {OtherLength{700}}),
+            "station 8: a grip that is off by 0.5 mm and 0.2° makes the blade snap; a blade of 700 mm "
+            "serves" +
+                exactly);
+  EXPECT_NE(said(snaps, kOne, {CutInParts{}})
+                .find("snap; take another blade or direction, or cut in parts" + exactly),
+            std::string::npos);
+  EXPECT_NE(said(GripErrors{kInfinite, 0.5, kTurned, 2}, kOne)
+                .find("may make the blade snap: where it goes could not be found"),
+            std::string::npos);
+  EXPECT_NE(said(HeldByLittle{0, 1, 0.5, kTurned, 22.2}, kOne)
+                .find("the blade snaps into another shape, 22.2 mm away; take another length" + exactly),
             std::string::npos);
 }
 

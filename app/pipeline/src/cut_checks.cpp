@@ -179,12 +179,10 @@ Result<void> judgeRest(const CutWork& work) {
                      [&e, &work](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
                        RowRest rest = restOf(*e.sweep.value, *e.check.value, *e.certainty.value,
                                              e.ends.value->entry, *e.way.value, request.margin);
+                       Result<void> ok =
+                           judgeGripsOff(*e.sweep.value, *e.certainty.value, request, work.context, rest);
+                       if (!ok) return tl::unexpected<Error>(ok.error());
                        findings = rest.findings;
-                       if (work.tried) return rest;
-                       Result<Findings> off =
-                           heldWithGripsOff(*e.sweep.value, *e.certainty.value, rest, request, work.context);
-                       if (!off) return tl::unexpected<Error>(off.error());
-                       findings.insert(findings.end(), off->begin(), off->end());
                        return rest;
                      });
 }

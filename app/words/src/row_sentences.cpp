@@ -198,13 +198,30 @@ std::string Sentences::operator()(const WouldTwist&) const {
          shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
 }
 
+/// What would keep the blade in the row's shape, as far as it was tried.
+static std::string keptText(const Finding& finding, const std::string& untried) {
+  const OtherLength* length = remedyOf<OtherLength>(finding.remedies);
+  std::string text = length ? "a blade of " + mm(length->length, 6) + " serves" : std::string();
+  if (const std::string also = alsoServes(finding); !also.empty())
+    text += (text.empty() ? "" : ", or ") + also;
+  if (!text.empty()) return "; " + text;
+  return "; " + (remedyOf<CutInParts>(finding.remedies) ? kNoneServes : untried);
+}
+
+/// The same of a blade that snaps where a grip is off, which may be held more exactly, too.
+static std::string keptOrHeldExactly(const Finding& finding) {
+  return keptText(finding, "take another length") +
+         ", or let the grips be held more exactly (grip error, grip turn)";
+}
+
 std::string Sentences::operator()(const GripErrors& cause) const {
   const std::string off = at() + "a grip that is off by " + shortText(cause.error) + " mm and " +
                           shortText(toDegrees(cause.angle)) + "° ";
   return std::isfinite(cause.moved)
              ? off + "moves the cut by up to " + mmBeside(cause.moved, cause.tolerance) +
                    ", more than the tolerance of " + shortText(cause.tolerance) + " mm"
-             : off + "may make the blade snap";
+         : cause.snaps ? off + "makes the blade snap" + keptOrHeldExactly(finding)
+                       : off + "may make the blade snap: where it goes could not be found";
 }
 
 std::string Sentences::operator()(const PulledByGrips& cause) const {
@@ -220,7 +237,7 @@ std::string Sentences::operator()(const HeldByLittle& cause) const {
   const std::string other = " another shape, " + mm(cause.distance) + " away";
   return cause.barrier > 0 ? off + "a push of " + shortText(cause.barrier, 2) +
                                  " N mm brings the blade into" + other + ", which a touch may bring about"
-                           : off + "the blade snaps into" + other;
+                           : off + "the blade snaps into" + other + keptOrHeldExactly(finding);
 }
 
 std::string Sentences::operator()(const ServingLengths& cause) const {
@@ -488,16 +505,6 @@ std::string Sentences::operator()(const LeadGrown& cause) const {
   return std::string(cause.atStart ? "the blade starts " : "the blade goes on ") + mm(cause.grown) +
          (cause.atStart ? " before the first station" : " beyond the last station") + " in place of " +
          mm(cause.asked) + ", so that all of it is outside of the block there; it cuts the foam on that way";
-}
-
-/// What would keep the blade in the row's shape, as far as it was tried.
-static std::string keptText(const Finding& finding, const std::string& untried) {
-  const OtherLength* length = remedyOf<OtherLength>(finding.remedies);
-  std::string text = length ? "a blade of " + mm(length->length, 6) + " serves" : std::string();
-  if (const std::string also = alsoServes(finding); !also.empty())
-    text += (text.empty() ? "" : ", or ") + also;
-  if (!text.empty()) return "; " + text;
-  return "; " + (remedyOf<CutInParts>(finding.remedies) ? kNoneServes : untried);
 }
 
 /// What keeps the blade in its shape, or why nothing does.

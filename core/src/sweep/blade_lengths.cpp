@@ -92,6 +92,7 @@ class Trials {
     const Sweep& row = firm->row ? *firm->row : *sweep;
     if (firm->row && !look(trial, row, request)) return trial;
     trial.rest = restOn(row, firm->certainty, request);
+    if (trial.serves() && !staysWithGripsOff(row, request.check)) trial.rest = Rest::lost;
     if (!some_.all || !trial.serves()) return trial;
     const Result<double> between = sweep::offBetween(row, quiet_);
     if (!between || std::isinf(*between))
@@ -108,7 +109,9 @@ class Trials {
  private:
   /// What the stations of a row tell; true if they keep the rules.
   bool look(RowTrial& trial, const Sweep& sweep, const LengthRequest& request) const {
-    const Result<SweepCheck> check = checkSweep(sweep, request.check, quiet_);
+    CheckRequest limits = request.check;
+    limits.gripError = limits.gripAngle = 0;  // takes long: asked where all else serves
+    const Result<SweepCheck> check = checkSweep(sweep, limits, quiet_);
     if (!check) return false;
     trial.reaches = true;
     trial.margin = 1;
@@ -122,6 +125,11 @@ class Trials {
       trial.reaches = trial.reaches && reachesFar(seen, request.check);
     }
     return keepsLimits(sweep, *check, request.check) && trial.deviation <= request.check.tolerance;
+  }
+
+  bool staysWithGripsOff(const Sweep& row, const CheckRequest& limits) const {
+    const Result<SweepCheck> check = checkSweep(row, limits, quiet_);
+    return check && std::ranges::none_of(check->stations, &StationCheck::snapsByGrip);
   }
 
   /// True if a way leads into the row, and one out of it.
@@ -160,8 +168,6 @@ LengthRequest requestFor(LengthRequest request, double length, double clearance,
   request.fit.blade.length = length;
   request.fit.blade.autoLength = false;
   request.fit.clearance = request.check.clearance = clearance;
-  // What grips that are off do is told of the row that is made, and takes long.
-  request.check.gripError = request.check.gripAngle = 0;
   request.fit.margin = request.check.margin = request.ends.margin = margin;
   return request;
 }

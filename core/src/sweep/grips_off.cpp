@@ -54,8 +54,8 @@ double leastWithGripsOff(const Sweep& sweep, std::size_t i, const StationCertain
 
 }  // namespace
 
-Result<Findings> heldWithGripsOff(const Sweep& sweep, const RowCertainty& certainty, const RowRest& rest,
-                                  const CheckRequest& request, const RunContext& context) {
+Result<void> judgeGripsOff(const Sweep& sweep, const RowCertainty& certainty, const CheckRequest& request,
+                           const RunContext& context, RowRest& rest) {
   const std::size_t n = sweep.poses.size();
   std::vector<double> least(n, std::numeric_limits<double>::infinity());
   if (request.gripError > 0 || request.gripAngle > 0) {
@@ -67,16 +67,18 @@ Result<Findings> heldWithGripsOff(const Sweep& sweep, const RowCertainty& certai
     if (!ok) return tl::unexpected<Error>(ok.error());
   }
   // Where it snaps, and where little is left that holds it.
-  Findings findings;
   for (const bool snaps : {true, false})
     for (const sweep::Stretch& at : sweep::stretchesOf(
              n, [&](std::size_t i) { return least[i] < kLeastBarrier && (least[i] == 0) == snaps; },
              [&](std::size_t a, std::size_t b) { return least[a] < least[b]; })) {
       HeldByLittle cause{least[at.worst], kLeastBarrier, request.gripError, request.gripAngle};
       if (const auto& other = certainty.stations[at.worst].other) cause.distance = other->distance;
-      findings.push_back({Severity::warning, cause, sweep::placeOf(sweep.poses, at), {}});
+      rest.findings.push_back(
+          {snaps ? Severity::error : Severity::warning, cause, sweep::placeOf(sweep.poses, at), {}});
     }
-  return findings;
+  for (std::size_t i = 0; i < n; ++i)
+    if (least[i] == 0) rest.stations[i] = Rest::lost;
+  return {};
 }
 
 }  // namespace bw

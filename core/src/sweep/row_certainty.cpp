@@ -451,9 +451,11 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
       if (way[i] != Lost::no) row.stations[i] = Rest::lost;
     }
   }
-  // A blade that does not rest there at all, in its plane or across it, is told of by the check.
+  // A blade that does not rest there at all, in its plane or across it, or snaps once a grip is off, is told
+  // of by the check.
   const auto rests = [&](std::size_t i) {
-    return check.stations[i].stable && check.stations[i].outOfPlaneMargin > 0;
+    const StationCheck& seen = check.stations[i];
+    return seen.stable && seen.outOfPlaneMargin > 0 && !seen.snapsByGrip;
   };
   for (std::size_t i = 0; i < n; ++i)
     if (!rests(i)) row.stations[i] = Rest::lost;

@@ -44,6 +44,8 @@ class GripsOff {
   }
 
   double slack() const { return held_.grips.length - chord_; }
+  /// It snapped where it was looked at.
+  bool snapped() const { return snapped_; }
   /// The moves of the blade across itself, mm a mm or rad, to first order: at a grip that goes along the
   /// chord, across it, and is turned.
   std::array<double, 3> across(const HeavyDerivatives& by, std::size_t k, bool end) const {
@@ -55,7 +57,7 @@ class GripsOff {
   }
 
   /// Raises `moved` to how far the blade lies across itself from where it was, once the start or the end is
-  /// so much nearer to the other and turned; false where it snaps on the way.
+  /// so much nearer to the other and turned; false where it snaps on the way, or is lost.
   bool look(bool end, double nearer, double turn, std::vector<double>& moved) {
     HeavyBranch there = own_;
     // Its angles grow as the root of its slack, which therefore grows four times at most at once.
@@ -70,7 +72,10 @@ class GripsOff {
       const Result<ClampedBranch::Move> move = there.moveTo(off);
       if (move && !move->snapped) continue;
       // Pulled nearly straight it cannot be turned as well, and stays where its branch ends.
-      if (!(nearer < 0) || (move && !nearlyTaut(slack() + part * nearer * move->reached, turn))) return false;
+      if (!(nearer < 0) || (move && !nearlyTaut(slack() + part * nearer * move->reached, turn))) {
+        snapped_ = move.has_value();
+        return false;
+      }
     }
     there.blade().at(arcs_, is_);
     for (std::size_t k = 0; k < arcs_.size(); ++k) {
@@ -92,22 +97,29 @@ class GripsOff {
   std::vector<Elastica::State> was_, is_;
   double chord_;
   Eigen::Vector2d along_;
+  bool snapped_ = false;
 };
 
-/// How far a blade, at arc lengths, moves across itself once either grip is off, any way, and turned, either
-/// way; infinite where it snaps.
-std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness, std::span<const double> arcs,
-                                      const CheckRequest& request) {
+/// How far a blade moves across itself, mm, at some places of it, where a grip is off; infinite where it
+/// snaps, or is lost.
+struct Moved {
+  std::vector<double> by;
+  bool snaps = false;
+};
+
+/// That at arc lengths, either grip being off, any way, and turned, either way.
+Moved movedWithGripsOff(const HeavyBlade& blade, double stiffness, std::span<const double> arcs,
+                        const CheckRequest& request) {
   // Where both ways along the chord come so near to the first order, it tells what is between them.
   constexpr double kNear = 0.05;
   // Taken apart by more than its slack it is straight, and does not reach.
   constexpr double kApart = 0.999;
   const double error = request.gripError, turn = request.gripAngle;
-  const std::vector<double> unknown(arcs.size(), kUnknown);
   const Result<HeavyBranch> own = HeavyBranch::from(blade, stiffness);
   const Result<HeavyDerivatives> by = derivativesByGrips(blade, arcs);
-  if (!own || !by || by->byGrips.empty()) return unknown;
+  if (!own || !by || by->byGrips.empty()) return {std::vector<double>(arcs.size(), kUnknown)};
   GripsOff grips(blade, *own, stiffness, arcs);
+  const auto lost = [&] { return Moved{std::vector<double>(arcs.size(), kUnknown), grips.snapped()}; };
   const double apart = std::min(error, kApart * grips.slack());
   std::vector<double> farthest(arcs.size(), 0.0);
   for (const bool end : {false, true}) {
@@ -125,13 +137,13 @@ std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness,
       worst = (end ? -along : along) * turned < 0 ? -turn : turn;
     }
     std::vector<double> nearer(arcs.size(), 0.0), farther(arcs.size(), 0.0);
-    if (!grips.look(end, error, worst, nearer) || !grips.look(end, -apart, -worst, farther)) return unknown;
+    if (!grips.look(end, error, worst, nearer) || !grips.look(end, -apart, -worst, farther)) return lost();
     const auto isNear = [&](const std::vector<double>& bends) {
       return std::abs(bends[most] - first[most]) <= kNear * first[most];
     };
     const bool linear = isNear(nearer) && isNear(farther);
     if (!linear && (!grips.look(end, error, -worst, nearer) || !grips.look(end, -apart, worst, farther)))
-      return unknown;
+      return lost();
     // What is left of an error that takes up the slack goes across.
     const double rest = apart < error ? std::sqrt(1 - std::pow(apart / error, 2)) : 0;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
@@ -141,7 +153,7 @@ std::vector<double> movedWithGripsOff(const HeavyBlade& blade, double stiffness,
                               (rest > 0 ? far + rest * shifts[k] : std::hypot(far, shifts[k])) + turns[k]});
     }
   }
-  return farthest;
+  return {std::move(farthest)};
 }
 
 /// The same of a straight beam with clamped ends, which buckles to either side where its grips come nearer.
@@ -163,26 +175,26 @@ std::vector<double> movedOfTaut(const BladePose& pose, std::span<const double> a
 }
 
 /// How far a grip that is off moves the part that cuts.
-std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
+Moved movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
   constexpr int kPlaces = 26;  // every fourth column
-  if (!(request.gripError > 0 || request.gripAngle > 0)) return std::vector<double>(kColumns, 0.0);
+  if (!(request.gripError > 0 || request.gripAngle > 0)) return {std::vector<double>(kColumns, 0.0)};
   const std::vector<double> arcs = pose.cutArcs(kPlaces);
   const double stiffness = sweep.request.blade.flexuralRigidity();
-  std::vector<double> coarse(kPlaces, kUnknown);
+  Moved coarse{std::vector<double>(kPlaces, kUnknown)};
   if (sweep::isTaut(pose)) {
-    coarse = movedOfTaut(pose, arcs, request);
+    coarse.by = movedOfTaut(pose, arcs, request);
   } else if (pose.heavy) {
     coarse = movedWithGripsOff(*pose.heavy, stiffness, arcs, request);
   } else if (const Result<Hanging> light = hang(pose.blade, stiffness, Eigen::Vector2d::Zero())) {
     coarse = movedWithGripsOff(light->blade, stiffness, arcs, request);
   }
-  std::vector<double> moved(kColumns);
+  Moved moved{std::vector<double>(kColumns), coarse.snaps};
   for (int c = 0; c < kColumns; ++c) {
     const double at = double(c) * (kPlaces - 1) / (kColumns - 1);
-    const std::size_t k = std::min(std::size_t(at), coarse.size() - 2);
-    moved[std::size_t(c)] = std::isfinite(coarse[k] + coarse[k + 1])
-                                ? std::lerp(coarse[k], coarse[k + 1], at - double(k))
-                                : kUnknown;
+    const std::size_t k = std::min(std::size_t(at), coarse.by.size() - 2);
+    moved.by[std::size_t(c)] = std::isfinite(coarse.by[k] + coarse.by[k + 1])
+                                   ? std::lerp(coarse.by[k], coarse.by[k + 1], at - double(k))
+                                   : kUnknown;
   }
   return moved;
 }
@@ -209,9 +221,10 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     check.outOfPlaneMargin = margins.outOfPlane;
     check.sideways = margins.sideways;
     if (pose.heavy) check.movedByWeight = pose.movedByWeight();
-    std::vector<double>& moved = result.movedByGrip[std::size_t(i)];
-    moved = movedByGrip(sweep, pose, request);
-    check.movedByGrip = std::ranges::max(moved);
+    Moved moved = movedByGrip(sweep, pose, request);
+    check.movedByGrip = std::ranges::max(moved.by);
+    check.snapsByGrip = moved.snaps;
+    result.movedByGrip[std::size_t(i)] = std::move(moved.by);
     check.crossesItself = pose.crossesItself();
     check.gripsSwapped = pose.gripsSwapped();
     check.stable = check.stabilityMargin > 0;

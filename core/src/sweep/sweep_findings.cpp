@@ -293,11 +293,18 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
           return {NearBottom{seen[at.worst].aboveBottom, *request.floor}};
         });
   const auto moved = [&](Index i) { return seen[i].movedByGrip; };
-  for (const bool snaps : {true, false})
+  report(
+      Severity::error, [&](Index i) { return seen[i].stable && seen[i].snapsByGrip; },
+      [&](Index i) { return -seen[i].stabilityMargin; },
+      [&](const Stretch& at) -> Told {
+        return {GripErrors{moved(at.worst), request.gripError, request.gripAngle, request.tolerance, true}};
+      });
+  for (const bool known : {false, true})
     report(
         Severity::info,
         [&](Index i) {
-          return seen[i].stable && moved(i) > request.tolerance && std::isinf(moved(i)) == snaps;
+          return seen[i].stable && !seen[i].snapsByGrip && moved(i) > request.tolerance &&
+                 std::isfinite(moved(i)) == known;
         },
         moved,
         [&](const Stretch& at) -> Told {

@@ -467,12 +467,13 @@ struct HomeUnknown {
   static constexpr FindingKind kind = FindingKind::cell;
   std::string robots;  ///< whose kinematics are not known
 };
-/// A grip that is off would move the cut by more than the tolerance.
+/// A grip that is off would move the cut by more than the tolerance, or lets the blade snap.
 struct GripErrors {
   static constexpr FindingKind kind = FindingKind::gripErrors;
-  double moved = 0;             ///< mm; infinite where the blade is about to snap
+  double moved = 0;             ///< mm; infinite where the blade snaps, or could not be followed
   double error = 0, angle = 0;  ///< mm and rad that the grip is off
   double tolerance = 0;
+  bool snaps = false;
 };
 /// A grip that is off may take up all the slack of the blade, and pulls it then.
 struct PulledByGrips {

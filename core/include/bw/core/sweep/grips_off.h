@@ -13,10 +13,11 @@ namespace bw {
 
 /// What brings blades that are held into another shape where one grip is off by as much as the request says:
 /// of each station the grip and the way are those that lower the barrier most, to first order, and the blade
-/// and what it would pass are followed there. Findings (`HeldByLittle`, warnings) where that is less than
-/// `kLeastBarrier`, or the blade snaps. `cancelled` on a stop. Some 0.5 ms a station.
-[[nodiscard]] Result<Findings> heldWithGripsOff(const Sweep& sweep, const RowCertainty& certainty,
-                                                const RowRest& rest, const CheckRequest& request,
-                                                const RunContext& context);
+/// and what it would pass are followed there. Findings (`HeldByLittle`) of `rest` where that is less than
+/// `kLeastBarrier` (warning), or the blade snaps (error), which is lost there. `cancelled` on a stop. Some
+/// 0.5 ms a station.
+[[nodiscard]] Result<void> judgeGripsOff(const Sweep& sweep, const RowCertainty& certainty,
+                                         const CheckRequest& request, const RunContext& context,
+                                         RowRest& rest);
 
 }  // namespace bw

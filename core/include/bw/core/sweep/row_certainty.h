@@ -83,7 +83,8 @@ struct RowRest {
 
 /// Judges each station by the way that leads there: the entry, then the row from station to station, or
 /// from the last one before that is certain. A shape is held where that way keeps the `margin`, and its
-/// barrier is at least `kLeastBarrier`; lost, too, where the blade would leave it, or its plane, by itself.
+/// barrier is at least `kLeastBarrier`; lost, too, where the blade would leave it, or its plane, by itself,
+/// or once a grip is off.
 RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& certainty,
                const BladeWay& entry, const RowMotion& motion, double margin);
 

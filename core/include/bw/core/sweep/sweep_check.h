@@ -49,7 +49,8 @@ struct StationCheck {
   bool gripsSwapped = false;  ///< they lie the other way round than the ends of the part that cuts
   double movedByWeight = 0;   ///< mm, the farthest that weight moves the part that cuts
   double sideways = 0;        ///< mm, how far weight across the plane bends a round blade out of it
-  double movedByGrip = 0;  ///< mm, the largest of `SweepCheck::movedByGrip`; infinite where it is not known
+  double movedByGrip = 0;    ///< mm, the largest of `SweepCheck::movedByGrip`; infinite where it is not known
+  bool snapsByGrip = false;  ///< the blade snaps where a grip is off
 };
 
 /// Velocity of the cut of one station, at points of equal shares of its length (docs/mathematics.md,
@@ -65,7 +66,7 @@ struct SweepCheck {
   std::vector<StationCheck> stations;
   std::vector<StationVelocity> velocities;
   /// mm, how far across itself the part that cuts moves if one grip is off by as much as the request says, at
-  /// points of equal shares of its length; infinite where the blade snaps by it.
+  /// points of equal shares of its length; infinite where the blade snaps by it, or could not be followed.
   std::vector<std::vector<double>> movedByGrip;
 };
 
