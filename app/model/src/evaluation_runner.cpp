@@ -17,6 +17,9 @@ constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500
 constexpr std::chrono::milliseconds kProgressInterval{30};
 constexpr std::chrono::milliseconds kRest{300};      // after a result, before more is added to it
 constexpr std::chrono::milliseconds kHandRest{200};  // after a sketch, before its design is evaluated
+// Looks at a reach, and the time for them, that a hand beyond it waits for before it is shown there.
+constexpr int kLooksFirst = 20;
+constexpr std::chrono::milliseconds kLookFirst{800};
 
 /// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still
 /// hold.
@@ -97,9 +100,7 @@ void EvaluationRunner::submit(const QString& name, Task task, std::function<void
 
 void EvaluationRunner::stopOutdatedRun() {
   const std::lock_guard lock(mutex_);
-  const bool newerWaits = std::any_of(waiting_.begin(), waiting_.end(),
-                                      [](const Order& order) { return order.design != nullptr; });
-  if (newerWaits && runningIsEvaluation_) running_.request_stop();
+  if (newerWaits() && runningIsEvaluation_) running_.request_stop();
 }
 
 void EvaluationRunner::cancel() {
@@ -251,6 +252,7 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
     const std::lock_guard lock(mutex_);
     if (!order.live || !sketches_) return false;
   }
+  if (lookFirst(end)) return true;
   std::optional<pipeline::Sketch> sketch = sketcher_->draw(*order.design, context);
   if (sketch) {
     QMetaObject::invokeMethod(
@@ -276,9 +278,7 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
       lock.lock();
       if (!looked) wake_.wait_until(lock, end, until, asked);
     }
-    const bool newer =
-        std::ranges::any_of(waiting_, [](const Order& next) { return next.design != nullptr; });
-    if (newer || end.stop_requested()) return true;
+    if (newerWaits() || end.stop_requested()) return true;
   }
   const bool drawn = sketch.has_value();
   const std::lock_guard lock(mutex_);
@@ -296,6 +296,7 @@ void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthe
     ++reachNumber_;
     reachAt_ = std::move(at);
     reachFarthest_ = farthest;
+    reachAim_ = 0;
     if (secondThoughts_) running_.request_stop();
   }
   wake_.notify_one();
@@ -330,13 +331,38 @@ void EvaluationRunner::takeSearch() {
   }
   if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
   search_.reset();
+  looksFirst_ = 0;
+  lookedFirst_ = {};
   if (reachAt_ && possible) search_.emplace(newest_, reachAt_, reachFarthest_);
+}
+
+bool EvaluationRunner::newerWaits() const {
+  return std::ranges::any_of(waiting_, [](const Order& order) { return order.design != nullptr; });
+}
+
+bool EvaluationRunner::lookFirst(const std::stop_token& end) {
+  bool looked = false;
+  while (looksFirst_ < kLooksFirst && lookedFirst_ < kLookFirst && !end.stop_requested()) {
+    {
+      const std::lock_guard lock(mutex_);
+      // Of another way nothing is known yet, and a hand may change its way at each of its moves.
+      if (searched_ != reachNumber_ || !search_ || search_->reach().knows(reachAim_)) return false;
+      if (newerWaits()) return looked;
+    }
+    const auto began = std::chrono::steady_clock::now();
+    if (!lookFarther(end)) return false;
+    lookedFirst_ += std::chrono::steady_clock::now() - began;
+    ++looksFirst_;
+    looked = true;
+  }
+  return false;
 }
 
 bool EvaluationRunner::lookFarther(const std::stop_token& end) {
   {
     const std::lock_guard lock(mutex_);
     takeSearch();
+    if (search_) search_->aim(reachAim_);
   }
   if (!search_ || !search_->looking() || end.stop_requested()) return false;
   RunContext context;

@@ -117,8 +117,8 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   }
 
   // From where the hand began, with what is known there.
+  const Sweep& began = *began_.sweep.value;
   const auto begin = [&] {
-    const Sweep& began = *began_.sweep.value;
     row_ = LiveRow::of(began, context);
     const bool held = began.request.extend != Extension::none;
     if (row_ || (held && !sketcher_)) sketcher_.emplace(began, *began_.certainty.value, *began_.rest.value);
@@ -126,17 +126,24 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   const auto follows = [&] {
     return row_ && row_->sweep().request == asked_->fit && row_->follow(*sections, block, planes, context);
   };
-  const bool onward = row_.has_value();
+  // A hand that was far away, or where nothing followed it, comes back to where blades are known; one that
+  // goes on is not laid worse by that.
+  const auto wayFrom = [&](const Sweep& row) { return LiveRow::wayTo(row, *sections); };
+  bool back = false;
+  if (row_) {
+    const double way = wayFrom(*sweep_), stride = LiveRow::kStride * began.request.blade.length;
+    if (lostAt_ > 0 || way > stride) back = wayFrom(began) < std::max(lostAt_, way);
+  }
+  const bool onward = row_ && !back;
   if (!onward) begin();
   bool followed = follows();
-  if (!followed && onward && !context.stopped()) {
-    // A hand that was far away comes back to where blades are known; one that goes on is not laid worse by
-    // that.
+  if (!followed && onward && !context.stopped() && wayFrom(began) < wayFrom(*sweep_)) {
     begin();
     const double tolerance = asked_->fit.tolerance;
-    followed = follows() && farthestOf(row_->sweep()) <=
-                                std::max(kNear * tolerance, kAsNear * farthestOf(*began_.sweep.value));
+    followed =
+        follows() && farthestOf(row_->sweep()) <= std::max(kNear * tolerance, kAsNear * farthestOf(began));
   }
+  if (followed && back) lostAt_ = 0;
   if (followed) {
     sweep_ = std::make_shared<const Sweep>(row_->sweep());
   } else {
@@ -150,6 +157,7 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
     const bool same =
         asked_->fit.extend != Extension::none && sketcher_ && sketcher_->stations() == sweep_->poses.size();
     if (!same) sketcher_.emplace(*sweep_);
+    lostAt_ = wayFrom(began);
   }
   Result<RowSketch> look =
       sketcher_->look(*sweep_, asked_->check, *middleSampler(*order.target, middle, kerf, melted_), context);

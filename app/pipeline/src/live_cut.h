@@ -66,6 +66,7 @@ class LiveCut {
   bool made_ = false;
   std::optional<LiveRow> row_ = std::nullopt;
   std::optional<RowSketcher> sketcher_ = std::nullopt;
+  double lostAt_ = 0;  ///< mm of the way from where the hand began on which nothing followed it last
   std::shared_ptr<const geometry::Setup> setup_;
   std::shared_ptr<const Sweep> sweep_;
   std::shared_ptr<const RowSketch> look_;  ///< null where none is of this

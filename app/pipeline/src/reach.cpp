@@ -40,6 +40,9 @@ bool Reach::knows(double by) const {
 
 namespace {
 
+/// True where sketches only lose sight of the blades.
+bool losesSight(Bar bar) { return bar == Bar::lost || bar == Bar::noBlade; }
+
 /// True if an evaluation tells, of stations or of what lies between them, that a blade would not keep its
 /// shape.
 bool losesShape(const Evaluation& evaluation) {
@@ -112,13 +115,15 @@ bool ReachSearch::look(const RunContext& context) {
     return looking();
   }
   if (!looking()) return false;
+  const std::size_t aimed = aim_ < 0 ? 0 : 1;
+  const bool waitedFor = !near_ && !sides_[aimed].done && !reach_.knows(aim_);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
     Reach::End& end = reach_.ends[i];
-    if (side.done) continue;
+    if (side.done || (waitedFor && i != aimed)) continue;
     const double sign = i == 0 ? -1 : 1, free = std::abs(end.free);
     const bool known = end.bar != Bar::none;
-    const double ahead = near_ ? kNear : free < kFirst ? kFirst : 2 * free;
+    const double ahead = near_ ? kNear : free < kFirst ? kFirst : free + std::min(free, kStride);
     const double next = known ? 0.5 * (free + side.barred) : std::min(farthest_, ahead);
     const Bar bar = barAt(near_ ? *near_ : side.sketcher, sign * next, context);
     if (context.stopped()) return true;
@@ -128,9 +133,9 @@ bool ReachSearch::look(const RunContext& context) {
       end.bar = bar;
       side.barred = next;
     }
-    const double far = std::abs(end.free);
+    const double far = std::abs(end.free), within = losesSight(end.bar) ? kWithinSight : kWithin;
     side.done =
-        end.bar != Bar::none ? side.barred - far <= std::max(kWithin, withinShare_ * far) : next >= farthest_;
+        end.bar != Bar::none ? side.barred - far <= std::max(within, withinShare_ * far) : next >= farthest_;
     end.known = side.done && end.bar == Bar::none;
   }
   near_.reset();
@@ -149,8 +154,7 @@ bool ReachSearch::confirm(const RunContext& context) {
     by = side.sure < free ? free : 0.5 * (free + side.barred);
   } else if (wanted > free) {
     // Where sketches lost sight of the blades, nothing is said of where they would be barred.
-    const bool lost = end.bar == Bar::lost || end.bar == Bar::noBlade;
-    if (lost) by = std::max(by, free + std::max(side.step, kStepShare * free));
+    if (losesSight(end.bar)) by = std::max(by, free + std::max(side.step, kStepShare * free));
     by = std::min(by, std::max(wanted, side.sure > 0 ? free : side.barred));
   }
   const Design design = at_(sign * by);

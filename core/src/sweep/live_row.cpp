@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bw/core/curve/same_curve.h"
@@ -25,6 +26,40 @@ constexpr int kSteps = 3;        // with one linearisation
 constexpr double kStill = 0.02;  // mm: a step of the grips that need not be taken,
 constexpr double kNone = 1e-3;   // and one that is none, where something that is asked for is missed
 constexpr double kSameAxes = 1e-9;
+constexpr int kMostStrides = 50;
+
+/// A section on its way from one curve to another.
+class Way {
+ public:
+  Way(const PlanarCurve& from, const PlanarCurve& to) : from_(from), to_(to) {}
+
+  /// mm that a place of it goes at most.
+  double length() const {
+    constexpr int kPlaces = 9;
+    double longest = 0;
+    for (int k = 0; k < kPlaces; ++k) {
+      const double place = double(k) / (kPlaces - 1);
+      longest = std::max(longest, (at(to_, place) - at(from_, place)).norm());
+    }
+    return longest;
+  }
+  /// The section after a share of the way, as a chain of points.
+  Result<PlanarCurve> after(double share) const {
+    constexpr int kPlaces = 65;
+    std::vector<Eigen::Vector2d> chain;
+    for (int k = 0; k < kPlaces; ++k) {
+      const double place = double(k) / (kPlaces - 1);
+      chain.emplace_back((1 - share) * at(from_, place) + share * at(to_, place));
+    }
+    return PlanarCurve::points(std::move(chain));
+  }
+
+ private:
+  static Eigen::Vector2d at(const PlanarCurve& curve, double place) {
+    return curve.value(std::lerp(curve.start(), curve.end(), place));
+  }
+  PlanarCurve from_, to_;
+};
 
 }  // namespace
 
@@ -166,6 +201,19 @@ std::optional<LiveRow> LiveRow::of(const Sweep& row, const RunContext& context) 
   return LiveRow(std::move(work));
 }
 
+double LiveRow::wayTo(const Sweep& row, const std::vector<Section>& sections) {
+  double longest = 0;
+  std::size_t i = 0;
+  for (const Section& section : sections) {
+    if (section.chosen < 0) continue;
+    if (i == row.fits.size()) return std::numeric_limits<double>::infinity();
+    const PlanarCurve& from = row.fits[i++].target;
+    if (sameCurve(from, section.curve())) continue;
+    longest = std::max(longest, Way(from, section.curve()).length());
+  }
+  return i == row.fits.size() ? longest : std::numeric_limits<double>::infinity();
+}
+
 bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, const PlaneFamily& planes,
                      const RunContext& context) {
   Work& work = *work_;
@@ -176,6 +224,8 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
   if (chosen.size() != work.stations.size()) return false;
   bool posed = work.sweep.block == block && work.sweep.planes == planes;
   std::vector<char> stays(chosen.size());  // stations whose sections are those that they have
+  std::vector<std::optional<Way>> ways(chosen.size());
+  double longest = 0;
   work.sweep.block = block;
   work.sweep.planes = planes;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -186,23 +236,39 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
     pose.index = chosen[i]->index;
     pose.travel = chosen[i]->travel;
     pose.frame = frame;
-    PlanarCurve& section = work.sweep.fits[i].target;
+    const PlanarCurve& section = work.sweep.fits[i].target;
     stays[i] = sameCurve(section, chosen[i]->curve());
-    section = chosen[i]->curve();
+    if (stays[i]) continue;
+    longest = std::max(longest, ways[i].emplace(section, chosen[i]->curve()).length());
   }
   if (!posed)
     work.pose();
   else if (std::ranges::count(stays, 0) == 0)
     return true;
-  std::atomic<bool> fits = true;
-  const Result<void> ok = parallelFor(context, int(chosen.size()), [&](int k) {
-    if (posed && stays[std::size_t(k)]) return;
-    Station& station = work.stations[std::size_t(k)];
-    work.row->take(station, std::size_t(k));
-    if (station.sectionLength > work.sweep.request.blade.length) fits = false;
-  });
-  if (!ok || !fits) return false;
-  return work.settle() && work.put();
+  // A hand that is fast takes blades with it all the same.
+  const double length = work.sweep.request.blade.length;
+  const int parts = std::clamp(int(std::ceil(longest / (kStride * length))), 1, kMostStrides);
+  for (int part = 1; part <= parts; ++part) {
+    std::atomic<bool> fits = true;
+    const Result<void> ok = parallelFor(context, int(chosen.size()), [&](int k) {
+      const auto i = std::size_t(k);
+      if (stays[i] && (posed || part > 1)) return;
+      if (part == parts) {
+        work.sweep.fits[i].target = chosen[i]->curve();
+      } else if (!stays[i]) {
+        const Result<PlanarCurve> section = ways[i]->after(double(part) / parts);
+        if (section)
+          work.sweep.fits[i].target = *section;
+        else
+          fits = false;
+      }
+      Station& station = work.stations[i];
+      work.row->take(station, i);
+      if (station.sectionLength > length) fits = false;
+    });
+    if (!ok || !fits || !work.settle()) return false;
+  }
+  return work.put();
 }
 
 }  // namespace bw

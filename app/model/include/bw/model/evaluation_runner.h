@@ -7,6 +7,7 @@
 #include <QString>
 #include <QTimer>
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -121,6 +122,11 @@ class EvaluationRunner : public QObject {
   /// Begins with the reach and the region asked for last, from the newest result; with mutex_ locked.
   void takeSearch();
   bool soughtAnew() const { return searched_ != reachNumber_ || aroundNumber_ != regionNumber_; }
+  /// True if a newer design than the one at work waits; with mutex_ locked.
+  bool newerWaits() const;
+  /// Looks at the reach before a hand that is beyond what is known of it is shown there, for a while: it may
+  /// have to be led back. True where that was asked for meanwhile, so that it need not be shown there.
+  bool lookFirst(const std::stop_token& end);
   /// One more look at the reach that is sought; false where there is nothing to look for.
   bool lookFarther(const std::stop_token& end);
   /// Holds a border of it against an evaluation until something else is asked for; false where there is none
@@ -165,6 +171,8 @@ class EvaluationRunner : public QObject {
   std::optional<pipeline::ReachSearch> search_;
   std::optional<pipeline::RegionSearch> around_;
   std::uint64_t searched_ = 0, aroundNumber_ = 0;  // the numbers of these
+  int looksFirst_ = 0;                             // at the reach, before pictures
+  std::chrono::steady_clock::duration lookedFirst_ = {};
 
   // Of the interface thread.
   std::uint64_t lastNumber_ = 0, firstWanted_ = 0;

@@ -43,12 +43,13 @@ struct Reach {
 };
 
 /// Seeks how far something of a design may be moved, look by look, from where it is: a little way, which
-/// blades follow in some ms, then ever farther, where they may have to be found anew, until it is barred, and
-/// back to within `kWithin` of the border. What sketches tell of a border depends on the way there, which the
-/// blades follow; an evaluation tells whether it bars in truth.
+/// blades follow in some ms, then farther, by `kStride` at most at once, until it is barred, and back to
+/// within `kWithin` of the border, or `kWithinSight` where blades were only lost sight of. What sketches tell
+/// of a border depends on the way there, which the blades follow; an evaluation tells whether it bars in
+/// truth.
 class ReachSearch {
  public:
-  static constexpr double kNear = 1, kFirst = 4, kWithin = 0.5;
+  static constexpr double kNear = 1, kFirst = 4, kStride = 32, kWithin = 0.5, kWithinSight = 4;
   static constexpr double kWithinShare = 0.05;  ///< of a way, as near as evaluations seek its end
   static constexpr double kStepShare = 0.1;     ///< of a way, to the next evaluation, at least
 
@@ -57,16 +58,16 @@ class ReachSearch {
   ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
               double farthest, double withinShare = 0);
 
-  /// One more look each way, two sketches; false where they find nothing more. What is free and barred
-  /// between two looks is not seen.
+  /// One more look each way, two sketches, or only that way where it is wanted farther than is known; false
+  /// where they find nothing more. What is free and barred between two looks is not seen.
   bool look(const RunContext& context);
   bool looking() const;
   /// One evaluation beside a border that sketches found: just beyond it, then, if it bars nothing in truth,
   /// ever farther and back; and just before it, then, if it is barred in truth, ever nearer. False where
   /// nothing is left to be held against one.
   bool confirm(const RunContext& context);
-  /// Where it is wanted: the border on that side is held against evaluations first, and where sketches only
-  /// lost sight of the blades, there, if that is not far.
+  /// Where it is wanted: that side is looked at first, and its border held against evaluations first, and
+  /// where sketches only lost sight of the blades, there, if that is not far.
   void aim(double by) { aim_ = by; }
   bool unsure() const;
   const Reach& reach() const { return reach_; }
