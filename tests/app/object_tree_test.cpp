@@ -327,6 +327,12 @@ TEST_F(ObjectTreeTest, LockedStationsKeepTheirNumber) {
   const std::filesystem::path file = path("stations.bladewright");
   ASSERT_TRUE(bench().saveTo(file));
   EXPECT_EQ(loadDesign(file).value().marks.locked.stations, std::set<std::string>{"east"});
+  // Nor is its cut kept from another name, by which they are locked then.
+  ASSERT_TRUE(bench().rename({Kind::cut, "east"}, "dawn"));
+  EXPECT_EQ(std::ranges::count(bench().design().cuts, "dawn", &Cut::id), 1);
+  take("dawn", 9);
+  EXPECT_NE(std::ranges::find(bench().design().cuts, "dawn", &Cut::id)->sections.stations, 9);
+  ASSERT_TRUE(bench().rename({Kind::cut, "dawn"}, "east"));
   ASSERT_NO_FATAL_FAILURE(click(line(Kind::stations, "east"), ObjectTree::kept));
   take("east", 9);
   EXPECT_EQ(std::ranges::find(bench().design().cuts, "east", &Cut::id)->sections.stations, 9);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/grid_change.h"
@@ -35,6 +36,17 @@ Design with(const Design& design, std::size_t way, int count, const char* like) 
 
 const Rectangle& over(const Design& design) {
   return std::get<FormulaSurface>(design.source().surface->shape).over;
+}
+
+/// The height of a surface over x, at a share of its way along y.
+double heightOf(const SplineSurface& surface, double x, double share) {
+  double from = surface.knotsU.front(), to = surface.knotsU.back();
+  const double v = std::lerp(surface.knotsV.front(), surface.knotsV.back(), share);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (from + to);
+    (surface.value(middle, v).x() < x ? from : to) = middle;
+  }
+  return surface.value(from, v).z();
 }
 
 TEST(GridChange, OneBlockBecomesThreeSideBySideAndOneAgain) {
@@ -217,7 +229,17 @@ TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
   Design bare = design;
   std::erase_if(std::get<SectionsSurface>(bare.source().surface->shape).sections[0].points,
                 [](const Eigen::Vector2d& point) { return point.x() == 600; });
-  EXPECT_EQ(sections(with(bare, 0, 1, "column-1"))[0].points, (Points{{0, 100}, {300, 150}, {600, 150}}));
+  const SplineSurface before = splineOf(*bare.source().surface).value();
+  const auto heightAt = [&](double x) { return heightOf(before, x, 0); };
+  const Points cut = sections(with(bare, 0, 1, "column-1"))[0].points;
+  ASSERT_EQ(cut.size(), 3u);
+  EXPECT_EQ(cut[1], Eigen::Vector2d(300, 150));
+  EXPECT_NEAR((cut[2] - Eigen::Vector2d(600, heightAt(600))).norm(), 0, 1e-6);
+  EXPECT_GT(cut[2].y(), 155) << "the curve's height, not that of the last point before it";
+  // What goes on behind it is a mirror down to such a boundary.
+  const Points onward = sections(with(bare, 0, 3, "column-1"))[0].points;
+  ASSERT_EQ(onward.size(), 4u);
+  EXPECT_NEAR((onward[3] - Eigen::Vector2d(1800, heightAt(600))).norm(), 0, 1e-6);
   EXPECT_EQ(sections(with(with(design, 0, 1, "column-1"), 0, 3, "column-1"))[0].points,
             (Points{{0, 100}, {300, 150}, {600, 200}, {900, 150}, {1200, 100}, {1500, 150}, {1800, 200}}));
   const Design rows = with(design, 1, 2, "column-1");
@@ -283,6 +305,21 @@ TEST(GridChange, JointsOfCubicsStayOnTheBoundariesInLine) {
   EXPECT_TRUE(inLine(three, 3));
   EXPECT_TRUE(inLine(three, 6));
   EXPECT_EQ(chain(with(design, 0, 1, "column-1")).size(), 4u);
+  // A cubic over two boundaries is divided where the surface is to end, and goes on from its height there.
+  Design wide = design;
+  for (SectionCurve& section : std::get<SectionsSurface>(wide.source().surface->shape).sections)
+    section.points = {{0, 100},          {300, 180},  {600, 180}, {900, 140},
+                      {1000, 380.0 / 3}, {1100, 100}, {1200, 100}};
+  const SplineSurface before = splineOf(*wide.source().surface).value();
+  const Design one = with(wide, 0, 1, "column-1");
+  ASSERT_EQ(chain(one).size(), 4u);
+  EXPECT_EQ(chain(one)[3].x(), 600);
+  const SplineSurface after = splineOf(*one.source().surface).value();
+  for (const double x : {0.0, 100.0, 300.0, 500.0, 599.0})
+    EXPECT_NEAR(heightOf(after, x, 0.5), heightOf(before, x, 0.5), 1e-6) << x;
+  const auto onward = chain(with(wide, 0, 3, "column-1"));
+  EXPECT_NEAR(onward.back().y(), heightOf(before, 600, 0), 1e-6);
+  EXPECT_EQ(onward.back().x(), 1800);
 }
 
 TEST(GridChange, KeyBladesStayOnTheBoundaries) {

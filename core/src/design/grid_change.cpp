@@ -4,6 +4,7 @@
 #include "bw/core/design/grid_change.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -15,6 +16,7 @@
 #include "bw/core/design/cut_list.h"
 #include "bw/core/design/variables.h"
 #include "design/grid_cuts.h"
+#include "shape/shapes.h"
 
 namespace bw {
 
@@ -116,15 +118,16 @@ struct Move {
   }
 };
 
-/// Whether what lies in a block goes on in new ones behind it as it was before, in a mirror on the boundary.
-enum class Onward { asLast, mirrored };
+constexpr std::size_t kNew = std::size_t(-1);
 
-/// What lies along a way, in its order, on other boundaries: `at` is its place. Nothing that is there ends
-/// before the last boundary: the last is repeated. `origins` gets of each the place in the list that it had,
-/// or that of which it is a copy has.
+/// What lies along a way, in its order, on other boundaries: `at` is its place. What ends before the last
+/// boundary goes on to it: with what is `between` such things, in new blocks as in a mirror on the boundary
+/// before them; where nothing is, the last is repeated. `origins` gets of each the place in the list that it
+/// had, or that of which it is a copy has; `kNew` of others.
 template <class Thing>
 std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
-                         const std::function<double&(Thing&)>& at, Onward onward = Onward::asLast,
+                         const std::function<double&(Thing&)>& at,
+                         const std::function<Thing(double)>& between = nullptr,
                          std::vector<std::size_t>* origins = nullptr) {
   std::vector<Thing> next;
   std::vector<std::size_t> of;
@@ -136,8 +139,9 @@ std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
     next.push_back(std::move(thing));
     of.push_back(i);
   }
-  for (std::size_t i = move.kept(); i < move.after.size(); ++i) {
-    if (onward == Onward::mirrored && i > move.kept()) {
+  const std::size_t kept = move.kept();
+  for (std::size_t i = kept; i < move.after.size(); ++i) {
+    if (between && i > kept) {
       const double first = move.after[i - 2], mirror = move.after[i - 1];
       const double share = (move.after[i] - mirror) / (mirror - first);
       for (std::size_t k = next.size(); k-- > 0;) {
@@ -150,11 +154,11 @@ std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
         of.push_back(of[k]);
       }
     }
-    Thing last = next.back();
-    if (at(last) > move.after[i] - kSame) continue;
-    at(last) = move.after[i];
-    next.push_back(std::move(last));
-    of.push_back(of.back());
+    if (!next.empty() && at(next.back()) > move.after[i] - kSame) continue;
+    // Of the blocks that are new the first is a mirror of one that was there, the next one of the first.
+    next.push_back(between ? between(move.before[i == kept ? kept : kept - 1]) : next.back());
+    at(next.back()) = move.after[i];
+    of.push_back(between ? kNew : of.back());
   }
   if (origins) *origins = std::move(of);
   return next;
@@ -164,13 +168,59 @@ bool covers(const std::vector<Eigen::Vector2d>& points, const Move& x) {
   return !points.empty() && x.covers(points.front().x(), points.back().x());
 }
 
+/// The share of a way, 0 to 1, where what grows along it comes to `place`.
+double shareWhere(double place, const std::function<double(double)>& at) {
+  constexpr int kHalvings = 60;
+  double from = 0, to = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (from + to);
+    (at(middle) < place ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+double& placeOf(Eigen::Vector2d& point) { return point.x(); }
+
+/// What tells the points of a section that goes on along x; where it is none, its ends go on.
+std::function<Eigen::Vector2d(double)> pointsOf(const SectionCurve& section) {
+  const Result<PlanarCurve> curve = shape::curveOf(section);
+  if (!curve) return [&section](double x) { return x <= 0 ? section.points.front() : section.points.back(); };
+  return [curve = *curve](double x) {
+    const auto at = [&](double share) { return curve.value(std::lerp(curve.start(), curve.end(), share)); };
+    return at(shareWhere(x, [&](double share) { return at(share).x(); }));
+  };
+}
+
+/// The chain of cubics as far as x, where one of them is divided if no joint is there.
+std::vector<Eigen::Vector2d> chainTo(double x, std::vector<Eigen::Vector2d> chain) {
+  std::size_t first = 0;
+  while (first + 6 < chain.size() && chain[first + 3].x() < x - kSame) first += 3;
+  chain.resize(first + 4);
+  std::array<Eigen::Vector2d, 4> p;
+  std::ranges::copy(chain.end() - 4, chain.end(), p.begin());
+  if (p[3].x() <= x + kSame) return chain;
+  std::array<Eigen::Vector2d, 4> part;
+  const auto divide = [&](double share) {
+    std::array<Eigen::Vector2d, 4> rest = p;
+    for (std::size_t n = 0; n < 4; ++n) {
+      part[n] = rest[0];
+      for (std::size_t k = 0; k + n + 1 < 4; ++k) rest[k] = (1 - share) * rest[k] + share * rest[k + 1];
+    }
+    return part[3].x();
+  };
+  divide(shareWhere(x, divide));
+  part[3].x() = x;
+  std::ranges::copy(part, chain.end() - 4);
+  return chain;
+}
+
 /// A chain of cubics whose joints go where `x` puts them. The legs of a cubic grow with it, along and across,
 /// so that two of them stay in line; a cubic over a new block is level at its end.
-std::vector<Eigen::Vector2d> chainMoved(const std::vector<Eigen::Vector2d>& chain, const Move& x) {
+std::vector<Eigen::Vector2d> chainMoved(const SectionCurve& section, const Move& x) {
+  const std::vector<Eigen::Vector2d> chain = chainTo(x.before[x.kept()], section.points);
   std::vector<Eigen::Vector2d> joints;
   for (std::size_t i = 0; i < chain.size(); i += 3) joints.push_back(chain[i]);
-  const std::vector<Eigen::Vector2d> ends = moved<Eigen::Vector2d>(
-      joints, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored);
+  const std::vector<Eigen::Vector2d> ends = moved<Eigen::Vector2d>(joints, x, &placeOf, pointsOf(section));
   std::vector<Eigen::Vector2d> next = {ends.front()};
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const double width = ends[k].x() - ends[k - 1].x();
@@ -203,7 +253,7 @@ void reachOver(BladesSurface& surface, const Move& y) {
   blades = moved<KeyBlade>(blades, y, [](KeyBlade& blade) -> double& { return blade.y; });
 }
 
-/// Points of splines by their section, and of each the point that it had been, or is a copy of.
+/// Points of splines by their section, and of each the point that it had been, or is a copy of, or `kNew`.
 using Origins = std::vector<std::vector<std::size_t>>;
 
 void reachOver(SectionsSurface& surface, const Move& x, const Move& y, Origins& origins) {
@@ -215,13 +265,11 @@ void reachOver(SectionsSurface& surface, const Move& x, const Move& y, Origins& 
   for (std::size_t i = 0; i < sections.size(); ++i) {
     SectionCurve& section = sections[i];
     if (isChainAlong(section))
-      section.points = chainMoved(section.points, x);
+      section.points = chainMoved(section, x);
     else if (section.kind == SectionCurve::Kind::bezier)
       for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
     else
-      section.points = moved<Eigen::Vector2d>(
-          section.points, x, [](Eigen::Vector2d& point) -> double& { return point.x(); }, Onward::mirrored,
-          &origins[i]);
+      section.points = moved<Eigen::Vector2d>(section.points, x, &placeOf, pointsOf(section), &origins[i]);
   }
   sections = moved<SectionCurve>(sections, y, [](SectionCurve& section) -> double& { return section.y; });
 }

@@ -386,7 +386,7 @@ std::string SurfaceHandles::pullText() const {
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   if (reach && reach->now != pipeline::Bar::none) {
     text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
-  } else if (const int together = movingTogether(); reach && together > 1) {
+  } else if (const int together = reach ? movingTogether() : 0; together > 1) {
     // The way of one of them would be another.
     QStringList ends;
     for (const pipeline::Reach::End& end : reach->ends)

@@ -186,6 +186,7 @@ PartMarks withNewNames(PartMarks marks, const NewNames& names) {
 
 std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
                                    const Design& after) {
+  const NewNames names = newNames(before, after);
   const auto otherSurface = [&](const Cut& cut) { return !same(before.sources, after.sources, cut.source); };
   const auto otherCut = [&](const Cut& cut) {
     return !same(before.cuts, after.cuts, cut.id) || otherSurface(cut);
@@ -209,7 +210,10 @@ std::optional<Object> firstChanged(const std::vector<Object>& objects, const Des
       case Object::Kind::stations:
         break;
     }
-    const Cut *then = find(before.cuts, object.id), *now = find(after.cuts, object.id);
+    // Those of a cut that is called otherwise are the same.
+    std::string called = object.id;
+    followName(names.cuts, called);
+    const Cut *then = find(before.cuts, object.id), *now = find(after.cuts, called);
     return then && (!now || now->sections != then->sections);
   });
   return changed == objects.end() ? std::nullopt : std::optional(*changed);

@@ -14,8 +14,6 @@ namespace bw {
 /// The new names of parts by those that they had.
 struct NewNames {
   std::map<std::string, std::string> blocks = {}, cuts = {}, sources = {};
-
-  bool empty() const { return blocks.empty() && cuts.empty() && sources.empty(); }
 };
 
 /// Of lists as long as before each part that is called otherwise in the same place, by a name that no part
