@@ -4,14 +4,17 @@
 // The plan of the blocks in the window, their numbers, and the table of their cuts.
 #include <QAbstractItemView>
 #include <QScrollArea>
+#include <QWheelEvent>
 
 #include <cmath>
 
 #include "bw/core/base/units.h"
+#include "bw/core/design/grid_change.h"
 #include "bw/core/design/variables.h"
 #include "bw/pipeline/scene_content.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
+#include "workbench/block_layout.h"
 #include "workflow/grid_fields.h"
 
 namespace bw::app {
@@ -115,6 +118,45 @@ TEST_F(BlockPanelTest, AClickChoosesABlockAndTheArrowsItsNeighbours) {
   bench().select({Selection::Kind::result, -1, "column-3", "cut-column-3"});
   QTest::qWait(0);
   EXPECT_TRUE(find<QToolButton>("Work on cut-column-3"));
+}
+
+TEST_F(BlockPanelTest, OneOfManyBlocksIsHitAndBroughtNear) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  const BlockGrid many = withCount(grid(), 0, 60, false);
+  ASSERT_TRUE(layOut(bench(), "Columns", bench().design(), grid(), many, bench().newMergeId(), false));
+  bench().runner().cancel();
+  QTest::qWait(0);
+  for (const char* block : {"column-1", "column-30", "column-60"}) {
+    QTest::mouseClick(&plan(), Qt::LeftButton, {}, at(block));
+    EXPECT_EQ(chosen(), block);
+  }
+  const QRectF far = plan().rectOf("column-30");
+  const auto turn = [&](int by) {
+    QWheelEvent wheel(far.center(), plan().mapToGlobal(far.center()), {}, {0, by}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&plan(), &wheel);
+    return wheel.isAccepted();
+  };
+  for (int i = 0; i < 8; ++i) EXPECT_TRUE(turn(120));
+  const QRectF near = plan().rectOf("column-30");
+  EXPECT_NEAR(near.width(), 16 * far.width(), 0.01 * near.width());
+  EXPECT_TRUE(near.contains(far.center())) << "it stays under the hand";
+  picture("blocks-plan-near");
+  QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-31"));
+  EXPECT_EQ(chosen(), "column-31");
+  // It is pulled by the hand, and goes with what is selected.
+  const QPoint from = at("column-31"), to = from - QPoint(40, 0);
+  QTest::mousePress(&plan(), Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, to, plan().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(&plan(), &move);
+  QTest::mouseRelease(&plan(), Qt::LeftButton, {}, to);
+  EXPECT_NEAR(at("column-31").x(), to.x(), 2);
+  for (int i = 0; i < 20; ++i) QTest::keyClick(&plan(), Qt::Key_Right);
+  EXPECT_EQ(chosen(), "column-51");
+  EXPECT_TRUE(plan().rect().contains(at("column-51")));
+  for (int i = 0; i < 8; ++i) turn(-120);
+  EXPECT_NEAR(plan().rectOf("column-30").left(), far.left(), 1e-6);
+  EXPECT_FALSE(turn(-120)) << "what is around is moved then";
 }
 
 TEST_F(BlockPanelTest, ABoundaryThatIsPulledMovesSizes) {

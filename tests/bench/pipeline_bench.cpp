@@ -454,6 +454,41 @@ void reachOfHandle(benchmark::State& state) {
   state.counters["below_mm"] = below;
   state.counters["above_mm"] = above;
 }
+/// How long a hand that goes far beyond its border at once waits to be led back: a point of the wall of three
+/// blocks, whose blades all follow. Budget: 0.8 s, after which it is shown where it is. `up_mm`: where it may
+/// go; `far_ms`: one sketch of it 200 mm up, and `back_ms` of it where it began after that.
+void reachOfFarHand(benchmark::State& state) {
+  Design design = exampleDesign("three-block-wall").value();
+  design.output.programs.clear();
+  design.bindings.clear();
+  const auto pulled = [&](double up) {
+    Design next = design;
+    std::get<SectionsSurface>(next.sources[0].surface->shape).sections[0].points[3].y() += up;
+    return next;
+  };
+  const auto from = std::make_shared<const Evaluation>(evaluate(design, nullptr, {}).evaluation);
+  if (!from->complete()) return state.SkipWithError("no result");
+  double up = 0;
+  std::vector<double> far, back;
+  for (auto _ : state) {
+    ReachSearch search(from, pulled, 400);
+    search.aim(400);
+    while (search.reach().ends[1].bar == Bar::none && search.look({})) {
+    }
+    up = search.reach().ends[1].free;
+    state.PauseTiming();
+    Sketcher sketcher(from);
+    for (std::vector<double>* seconds : {static_cast<std::vector<double>*>(nullptr), &far, &back})
+      if (const std::optional<Sketch> sketch = sketcher.draw(pulled(seconds == &far ? 200 : 1), {}); seconds)
+        seconds->push_back(sketch ? sketch->seconds : std::nan(""));
+    state.ResumeTiming();
+  }
+  state.counters["up_mm"] = up;
+  state.counters["far_ms"] = 1e3 * quantile(far, 0.5);
+  state.counters["back_ms"] = 1e3 * quantile(back, 0.5);
+}
+BENCHMARK(reachOfFarHand)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 BENCHMARK(reachOfHandle)->ArgName("point")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Where in its plane a point of a section of such a block may be pulled. `around_ms`: until something is

@@ -242,6 +242,9 @@ TEST(Job, TakesBothGripErrorsAtOnce) {
   EXPECT_FALSE(parseJob(R"({"grip_error": {"rad": 0.1}})"));
   EXPECT_FALSE(parseJob(R"({"grip_error": {"mm": -1}})"));
   EXPECT_FALSE(parseJob(R"({"grip_error": [0.3, 0.1]})"));
+  const Result<Design> twice = parseJob(R"({"grip_error": {"deg": 0.1}, "grip_angle_error": 0.2})");
+  ASSERT_FALSE(twice);
+  EXPECT_NE(twice.error().message.find("tell it once"), std::string::npos) << twice.error().message;
 }
 
 TEST(Design, KeepsExpressionsOfGripErrorsToldAtOnce) {

@@ -445,10 +445,16 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   }
   // The place is told once, unless its stations are known to be lost.
   const Motion motion = tilting(fromSideToSide());
-  EXPECT_EQ(restFindings(looks, run, motion, 0, {}).empty(), *least->barrier >= kLeastBarrier);
+  CheckRequest request;
+  const auto told = [&](const std::vector<BarrierLook>& some, double margin, const Findings& known,
+                        const std::vector<char>& snaps = {}) {
+    request.margin = margin;
+    return restFindings(some, snaps, run, motion, request, known);
+  };
+  EXPECT_EQ(told(looks, 0, {}).empty(), *least->barrier >= kLeastBarrier);
   BarrierLook weakest = *least;
   weakest.barrier = 0.5 * kLeastBarrier;
-  const Findings low = restFindings({looks.front(), weakest}, run, motion, 0, {});
+  const Findings low = told({looks.front(), weakest}, 0, {});
   ASSERT_EQ(low.size(), 1u);
   const auto& cause = std::get<OtherShape>(low[0].cause);
   EXPECT_EQ(low[0].severity, Severity::error);
@@ -457,25 +463,33 @@ TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
   EXPECT_GT(cause.distance, 10);
   EXPECT_GT(cause.energy, cause.other) << "it is on the wrong side";
   EXPECT_EQ(low[0].where.stations->count, 0);
-  EXPECT_TRUE(restFindings({weakest}, run, motion, 0, low).empty());
+  EXPECT_TRUE(told({weakest}, 0, low).empty());
   std::vector<BarrierLook> others = {looks.front()};
-  EXPECT_TRUE(restFindings(others, run, motion, 0, {}).empty()) << "it has one shape there";
+  EXPECT_TRUE(told(others, 0, {}).empty()) << "it has one shape there";
   others.front().unsure = true;
-  const Findings unknown = restFindings(others, run, motion, 0, {});
+  const Findings unknown = told(others, 0, {});
   ASSERT_EQ(unknown.size(), 1u);
   EXPECT_EQ(std::get<OtherShape>(unknown[0].cause).lost, OtherShape::Lost::unsought) << "none is known";
   others.front().distance = 3;
-  EXPECT_EQ(std::get<OtherShape>(restFindings(others, run, motion, 0, {})[0].cause).lost,
-            OtherShape::Lost::unknownBarrier);
+  EXPECT_EQ(std::get<OtherShape>(told(others, 0, {})[0].cause).lost, OtherShape::Lost::unknownBarrier);
   // So is a margin that falls short, unless that of a station beside is known to.
   const double asked = 0.3;
-  const Findings loose = restFindings({}, run, motion, asked, {});
+  const Findings loose = told({}, asked, {});
   ASSERT_EQ(loose.size(), 1u);
   EXPECT_EQ(loose[0].severity, Severity::warning);
   EXPECT_EQ(std::get<LowMargin>(loose[0].cause).margin, run.marginMin);
   EXPECT_EQ(loose[0].where.stations->count, 0);
-  EXPECT_TRUE(restFindings({}, run, motion, asked, loose).empty());
-  EXPECT_TRUE(restFindings({}, run, motion, run.marginMin + 0.5 * kMarginRounded, {}).empty());
+  EXPECT_TRUE(told({}, asked, loose).empty());
+  EXPECT_TRUE(told({}, run.marginMin + 0.5 * kMarginRounded, {}).empty());
+  // So is where it snaps once a grip is off: as many moments in a row as one.
+  std::vector<char> snaps(run.blades.size(), 0);
+  std::fill_n(snaps.begin() + std::ptrdiff_t(snaps.size() / 2), 3, char(1));
+  const Findings snapping = told({}, 0, {}, snaps);
+  ASSERT_EQ(snapping.size(), 1u);
+  EXPECT_EQ(snapping[0].severity, Severity::error);
+  EXPECT_TRUE(std::get<GripErrors>(snapping[0].cause).snaps);
+  EXPECT_EQ(snapping[0].where.stations->count, 0);
+  EXPECT_TRUE(told({}, 0, snapping, snaps).empty());
   run.blades.clear();
   EXPECT_TRUE(barriersAlong(run, stiffness, {}).value().empty());
   EXPECT_EQ(leastBarrier({}), nullptr);

@@ -82,6 +82,18 @@ TEST(Findings, SayWhereABladeSnapsOnceAGripIsOff) {
             std::string::npos);
 }
 
+TEST(Findings, SayHowThickAFlatBladeMayBeThatBendsAsFar) {
+  EXPECT_NE(said(WouldTwist{}, kOne, {FlatBlade{"flat", "Flat"}})
+                .find("take a flat blade, which is stiff across its plane"),
+            std::string::npos);
+  EXPECT_NE(said(WouldTwist{}, kOne, {FlatBlade{{}, {}, 0.68}})
+                .find("take a flat blade of 0.6 mm at most, which is stiff across its plane"),
+            std::string::npos);
+  EXPECT_NE(said(BentSideways{2.4}, kOne, {FlatBlade{{}, {}, 0.04}})
+                .find("; a flat blade of 0.04 mm at most carries it"),
+            std::string::npos);
+}
+
 TEST(Findings, SayWhereALengthThatWasTakenServesStationsAlone) {
   ServingLengths taken{ServingLengths::Said::taken, 785, 785, 785};
   EXPECT_EQ(said(taken, kOne).find("though not all"), std::string::npos);

@@ -17,9 +17,8 @@ constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500
 constexpr std::chrono::milliseconds kProgressInterval{30};
 constexpr std::chrono::milliseconds kRest{300};      // after a result, before more is added to it
 constexpr std::chrono::milliseconds kHandRest{200};  // after a sketch, before its design is evaluated
-// Looks at a reach, and the time for them, that a hand beyond it waits for before it is shown there.
-constexpr int kLooksFirst = 20;
-constexpr std::chrono::milliseconds kLookFirst{800};
+constexpr std::chrono::milliseconds kLedBack{100};   // that a hand has to go back to its border
+constexpr std::chrono::milliseconds kOnward{200};    // between pictures of a hand that its reach follows
 
 /// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still
 /// hold.
@@ -252,20 +251,11 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
     const std::lock_guard lock(mutex_);
     if (!order.live || !sketches_) return false;
   }
-  if (lookFirst(end)) return true;
-  std::optional<pipeline::Sketch> sketch = sketcher_->draw(*order.design, context);
-  if (sketch) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, number = order.number,
-         drawn = std::make_shared<const pipeline::Sketch>(std::move(*sketch))]() mutable {
-          takeSketch(number, std::move(drawn));
-        },
-        Qt::QueuedConnection);
-  }
+  if (!lookFirst(order.number, context, end)) return true;
+  const bool drawn = showSketch(order.number, *order.design, context);
   // Beyond what can be sketched the hand may lead back as soon as its reach is known. That is found to its
   // end first: an evaluation of what cannot be cut, and the advice on it, may take a hundred times as long.
-  if (sketch || search_) {
+  if (drawn || search_) {
     const auto until = std::chrono::steady_clock::now() + kHandRest;
     const auto asked = [this] { return !waiting_.empty(); };
     const auto goesOn = [this, until] {
@@ -280,7 +270,6 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
     }
     if (newerWaits() || end.stop_requested()) return true;
   }
-  const bool drawn = sketch.has_value();
   const std::lock_guard lock(mutex_);
   runningIsEvaluation_ = true;
   // Where none can be drawn the evaluation is what follows the hand: the next move does not stop it, and
@@ -331,8 +320,7 @@ void EvaluationRunner::takeSearch() {
   }
   if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
   search_.reset();
-  looksFirst_ = 0;
-  lookedFirst_ = {};
+  onwardAt_ = std::chrono::steady_clock::now();
   if (reachAt_ && possible) search_.emplace(newest_, reachAt_, reachFarthest_);
 }
 
@@ -340,20 +328,40 @@ bool EvaluationRunner::newerWaits() const {
   return std::ranges::any_of(waiting_, [](const Order& order) { return order.design != nullptr; });
 }
 
-bool EvaluationRunner::lookFirst(const std::stop_token& end) {
-  bool looked = false;
-  while (looksFirst_ < kLooksFirst && lookedFirst_ < kLookFirst && !end.stop_requested()) {
+bool EvaluationRunner::showSketch(std::uint64_t number, const Design& design, const RunContext& context) {
+  std::optional<pipeline::Sketch> sketch = sketcher_->draw(design, context);
+  if (!sketch) return false;
+  QMetaObject::invokeMethod(
+      this,
+      [this, number, drawn = std::make_shared<const pipeline::Sketch>(std::move(*sketch))]() mutable {
+        takeSketch(number, std::move(drawn));
+      },
+      Qt::QueuedConnection);
+  return true;
+}
+
+bool EvaluationRunner::lookFirst(std::uint64_t number, const RunContext& context,
+                                 const std::stop_token& end) {
+  for (bool looked = false; !end.stop_requested() && !context.stopped(); looked = true) {
+    double aim = 0;
     {
-      const std::lock_guard lock(mutex_);
+      std::unique_lock lock(mutex_);
+      aim = reachAim_;
       // Of another way nothing is known yet, and a hand may change its way at each of its moves.
-      if (searched_ != reachNumber_ || !search_ || search_->reach().knows(reachAim_)) return false;
-      if (newerWaits()) return looked;
+      if (searched_ != reachNumber_ || !search_) return true;
+      const bool seeks = search_->seeks(aim);
+      // Who was just told that it goes no farther moves it back.
+      if (looked && !seeks && search_->bars(aim))
+        wake_.wait_for(lock, end, kLedBack, [this] { return newerWaits(); });
+      if (looked && newerWaits()) return false;
+      if (!seeks) return true;
     }
-    const auto began = std::chrono::steady_clock::now();
-    if (!lookFarther(end)) return false;
-    lookedFirst_ += std::chrono::steady_clock::now() - began;
-    ++looksFirst_;
-    looked = true;
+    if (!lookFarther(end) || !search_) return true;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - onwardAt_ < kOnward || !search_->seeks(aim) || search_->reach().now != pipeline::Bar::none)
+      continue;
+    showSketch(number, search_->towards(aim), context);
+    onwardAt_ = std::chrono::steady_clock::now();
   }
   return false;
 }

@@ -78,6 +78,13 @@ bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
   return false;
 }
 
+/// True for what is not cut, or too far off, for what no length of a blade decides.
+bool staysWithLength(const Finding& finding) {
+  const FindingKind kind = finding.kind();
+  return finding.severity != Severity::info && (kind == FindingKind::coverage || kind == FindingKind::gap ||
+                                                isOneOf<TooFarOnTheWay, OffTheSurfaceShown>(finding));
+}
+
 /// What is known of lengths, so that it may be advised: that one serves is known when its design is computed.
 const BladeLengths* knownLengths(const CutEvaluation& cut) {
   const BladeLengths* lengths = cut.lengths.value.get();
@@ -154,7 +161,9 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
     cause.best = *best;
     for (const Findings* told : {&cut.analysis.findings, &cut.coverage.findings, &cut.way.findings,
                                  &cut.motion.findings, &cut.simulated.findings})
-      cause.atStationsAlone = cause.atStationsAlone || (blade.autoLength && exceedsLimit(*told));
+      cause.atStationsAlone =
+          cause.atStationsAlone ||
+          (blade.autoLength ? exceedsLimit(*told) : std::ranges::any_of(*told, &staysWithLength));
     for (const BladeLengths::Band& band : lengths.bands())
       if (band.from <= cause.best && cause.best <= band.to) {
         cause.from = band.from;

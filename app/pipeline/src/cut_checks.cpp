@@ -292,16 +292,20 @@ Result<void> seeTheRun(const CutWork& work, double& seconds) {
 Result<void> seeBarriers(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const double stiffness = e.sweep.value->request.blade.flexuralRigidity();
-  return work.settle(
-      &CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value}, seconds,
-      [&](const NoRequest&, Findings& findings) {
-        Result<std::vector<BarrierLook>> looks = barriersAlong(*e.run.value, stiffness, work.context);
-        Findings known = e.analysis.findings;
-        append(known, e.rest.findings);
-        if (looks)
-          findings = restFindings(*looks, *e.run.value, *e.motion.value, e.check.request.margin, known);
-        return looks;
-      });
+  return work.settle(&CutEvaluation::barriers, {}, {e.run.value, e.rest.value, e.analysis.value}, seconds,
+                     [&](const NoRequest&, Findings& findings) -> Result<std::vector<BarrierLook>> {
+                       const CheckRequest& request = e.check.request;
+                       Result<std::vector<BarrierLook>> looks =
+                           barriersAlong(*e.run.value, stiffness, work.context);
+                       if (!looks) return looks;
+                       const Result<std::vector<char>> snaps =
+                           snapsByGripAlong(*e.run.value, *e.motion.value, stiffness, request, work.context);
+                       if (!snaps) return tl::unexpected<Error>(snaps.error());
+                       Findings known = e.analysis.findings;
+                       append(known, e.rest.findings);
+                       findings = restFindings(*looks, *snaps, *e.run.value, *e.motion.value, request, known);
+                       return looks;
+                     });
 }
 
 Result<void> seeRun(const CutWork& work, double& seconds) {

@@ -93,6 +93,14 @@ bool ReachSearch::looking() const {
   return !began_ || (reach_.now == Bar::none && (!sides_[0].done || !sides_[1].done));
 }
 
+bool ReachSearch::seeks(double by) const {
+  return !began_ || (reach_.now == Bar::none && !sides_[by < 0 ? 0 : 1].done && !reach_.knows(by));
+}
+
+bool ReachSearch::bars(double by) const {
+  return reach_.ends[by < 0 ? 0 : 1].bar != Bar::none && !reach_.knows(by) && !seeks(by);
+}
+
 bool ReachSearch::unsure(std::size_t side) const {
   return reach_.now == Bar::none && sides_[side].done && !reach_.ends[side].known;
 }
@@ -116,7 +124,7 @@ bool ReachSearch::look(const RunContext& context) {
   }
   if (!looking()) return false;
   const std::size_t aimed = aim_ < 0 ? 0 : 1;
-  const bool waitedFor = !near_ && !sides_[aimed].done && !reach_.knows(aim_);
+  const bool waitedFor = !near_ && seeks(aim_);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
     Reach::End& end = reach_.ends[i];

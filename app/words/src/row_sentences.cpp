@@ -52,6 +52,14 @@ int digitsBeside(double number, double limit, int digits) {
 /// A number that is told beside its limit, in mm.
 std::string mmBeside(double number, double limit) { return mm(number, digitsBeside(number, limit, 3)); }
 
+/// "a flat blade", and how thick it may be where none of the presets bends far enough.
+std::string flatBladeText(const Finding& finding) {
+  const FlatBlade* flat = remedyOf<FlatBlade>(finding.remedies);
+  if (!flat || !flat->thickness) return "a flat blade";
+  const double tenths = std::floor(10 * *flat->thickness) / 10;
+  return "a flat blade of " + mm(tenths > 0 ? tenths : *flat->thickness, 2) + " at most";
+}
+
 std::string takesText(const Finding& finding) {
   const BendingBlade* blade = remedyOf<BendingBlade>(finding.remedies);
   return blade ? "it takes at least " + bendingBladeText(*blade) : std::string(kInParts);
@@ -176,7 +184,7 @@ std::string Sentences::operator()(const MovedByWeight& cause) const {
 
 std::string Sentences::operator()(const BentSideways& cause) const {
   return at() + "its own weight across the plane bends the round blade " + mm(cause.distance) +
-         " out of it, which the surface shown does not contain; a flat blade carries it";
+         " out of it, which the surface shown does not contain; " + flatBladeText(finding) + " carries it";
 }
 
 std::string Sentences::operator()(const WeightElsewhere& cause) const {
@@ -195,7 +203,8 @@ std::string Sentences::operator()(const UnknownInWeight& cause) const {
 std::string Sentences::operator()(const WouldTwist&) const {
   return onTheWay(finding, at()) +
          "a round blade would twist out of its plane rather than rest in this shape; " +
-         shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
+         shorterText(finding, "take " + flatBladeText(finding) + ", which is stiff across its plane",
+                     ", or " + flatBladeText(finding));
 }
 
 /// What would keep the blade in the row's shape, as far as it was tried.
@@ -215,8 +224,8 @@ static std::string keptOrHeldExactly(const Finding& finding) {
 }
 
 std::string Sentences::operator()(const GripErrors& cause) const {
-  const std::string off = at() + "a grip that is off by " + shortText(cause.error) + " mm and " +
-                          shortText(toDegrees(cause.angle)) + "° ";
+  const std::string off = onTheWay(finding, at()) + "a grip that is off by " + shortText(cause.error) +
+                          " mm and " + shortText(toDegrees(cause.angle)) + "° ";
   return std::isfinite(cause.moved)
              ? off + "moves the cut by up to " + mmBeside(cause.moved, cause.tolerance) +
                    ", more than the tolerance of " + shortText(cause.tolerance) + " mm"
@@ -261,7 +270,10 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
     case Said::others:
       return alone ? "a blade of " + best + " serves all stations"
                    : "lengths that serve the stations that they were tried on: " + stretch + "; the best, " +
-                         best + ", serves all";
+                         best + ", serves all" +
+                         (cause.atStationsAlone ? " stations; what is not cut between or beside them is "
+                                                  "to be mended by itself"
+                                                : "");
     case Said::none:
       return none + mended;
     case Said::taken:
@@ -438,7 +450,8 @@ std::string Sentences::operator()(const Uncovered& cause) const {
                                ? std::string("a border of the surface in the block")
                                : shortText(100 * cause.share, 3) + " % of the surface in the block (" +
                                      shortText(cause.area, 3) + " mm²)";
-  std::string remedy = cause.between ? "; it is off between the stations, which keep the tolerance: mend that"
+  std::string remedy = cause.between ? "; it is off between the stations, which keep the tolerance: what is "
+                                       "told of the way between them is to be mended first"
                                      : "; choose another cutting direction, or " + std::string(kInParts);
   if (const std::optional<Eigen::Vector3d>& point = finding.where.point)
     remedy = ", farthest at (" + shortText(point->x(), 4) + ", " + shortText(point->y(), 4) + ", " +
@@ -512,7 +525,8 @@ static std::string lostText(const OtherShape& cause, const std::string& shorter)
   using Lost = OtherShape::Lost;
   switch (cause.lost) {
     case Lost::no:
-      return "; the program leads it into this one, and it stays there";
+      return "; the program leads it into this one, and it stays there while its grips are where they should "
+             "be";
     case Lost::noEntry:
       return ", and no way is known that leads it into this one" + shorter;
     case Lost::leaves:

@@ -304,6 +304,9 @@ void readGripError(ObjectReader& reader, const json& object, Process& process) {
   ObjectReader inner(object, reader.path() + ".grip_error", reader.scope());
   for (const ProcessNumber& number : processNumbers()) {
     const bool turn = number.member == &Process::gripAngle;
+    if (turn && inner.member("deg") && reader.member(number.key))
+      return reader.complain(
+          number.key, reader.path() + "." + number.key + ": it is told by grip_error, too; tell it once");
     if (turn || number.member == &Process::gripError)
       inner.number(turn ? "deg" : "mm", process.*number.member, number.min, number.max);
   }

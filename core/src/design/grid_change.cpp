@@ -100,6 +100,12 @@ struct Move {
   std::vector<double> before, after;
 
   std::size_t kept() const { return std::min(before.size(), after.size()) - 1; }
+  /// True where there are fewer, and those that are left are where they were.
+  bool endsSooner() const {
+    return after.size() < before.size() &&
+           std::equal(after.begin(), after.end(), before.begin(),
+                      [](double a, double b) { return std::abs(a - b) < kSame; });
+  }
   bool covers(double first, double last) const {
     return std::abs(first - before.front()) < kSame && std::abs(last - before.back()) < kSame;
   }
@@ -184,11 +190,39 @@ double& placeOf(Eigen::Vector2d& point) { return point.x(); }
 /// What tells the points of a section that goes on along x; where it is none, its ends go on.
 std::function<Eigen::Vector2d(double)> pointsOf(const SectionCurve& section) {
   const Result<PlanarCurve> curve = shape::curveOf(section);
-  if (!curve) return [&section](double x) { return x <= 0 ? section.points.front() : section.points.back(); };
+  if (!curve)
+    return [ends = std::pair(section.points.front(), section.points.back())](double x) {
+      return x < ends.second.x() ? ends.first : ends.second;
+    };
   return [curve = *curve](double x) {
     const auto at = [&](double share) { return curve.value(std::lerp(curve.start(), curve.end(), share)); };
     return at(shareWhere(x, [&](double share) { return at(share).x(); }));
   };
+}
+
+/// A spline ends without curvature: where one that was cut would leave the curve by that, one or two points
+/// beside its end keep it there. `was` tells the points of the curve.
+void keepBeforeEnd(SectionCurve& section, const std::function<Eigen::Vector2d(double)>& was,
+                   std::vector<std::size_t>& origins) {
+  constexpr double kSeen = 0.1;                    // mm
+  constexpr std::array kBeside = {0.25, 1 / 16.};  // of the way from the last point before
+  constexpr int kPlaces = 16;
+  std::vector<Eigen::Vector2d>& points = section.points;
+  const int most = section.kind == SectionCurve::Kind::ducks ? SectionCurve::kMostDucks : SectionCurve::kMost;
+  if (points.size() < 2) return;
+  const double end = points.back().x(), before = points[points.size() - 2].x();
+  for (const double share : kBeside) {
+    const std::function<Eigen::Vector2d(double)> is = pointsOf(section);
+    double off = 0;
+    for (int k = 1; k < kPlaces; ++k) {
+      const double x = std::lerp(before, end, double(k) / kPlaces);
+      off = std::max(off, std::abs(is(x).y() - was(x).y()));
+    }
+    if (off <= kSeen || int(points.size()) >= most) return;
+    const double x = std::lerp(end, before, share);
+    points.insert(points.end() - 1, Eigen::Vector2d(x, was(x).y()));
+    origins.insert(origins.end() - 1, kNew);
+  }
 }
 
 /// The chain of cubics as far as x, where one of them is divided if no joint is there.
@@ -264,12 +298,15 @@ void reachOver(SectionsSurface& surface, const Move& x, const Move& y, Origins& 
   origins.resize(sections.size());
   for (std::size_t i = 0; i < sections.size(); ++i) {
     SectionCurve& section = sections[i];
-    if (isChainAlong(section))
+    if (isChainAlong(section)) {
       section.points = chainMoved(section, x);
-    else if (section.kind == SectionCurve::Kind::bezier)
+    } else if (section.kind == SectionCurve::Kind::bezier) {
       for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
-    else
-      section.points = moved<Eigen::Vector2d>(section.points, x, &placeOf, pointsOf(section), &origins[i]);
+    } else {
+      const std::function<Eigen::Vector2d(double)> was = pointsOf(section);
+      section.points = moved<Eigen::Vector2d>(section.points, x, &placeOf, was, &origins[i]);
+      if (x.endsSooner()) keepBeforeEnd(section, was, origins[i]);
+    }
   }
   sections = moved<SectionCurve>(sections, y, [](SectionCurve& section) -> double& { return section.y; });
 }

@@ -279,6 +279,27 @@ Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, dou
   return all;
 }
 
+Result<std::vector<char>> snapsByGripAlong(const Simulation& simulation, const Motion& motion,
+                                           double stiffness, const CheckRequest& request,
+                                           const RunContext& context) {
+  const std::vector<SimulatedBlade>& blades = simulation.blades;
+  std::vector<char> snaps(blades.size(), 0);
+  const auto isStation = [](const MotionInstant& at) { return at.station >= 0; };
+  const auto first = std::ranges::find_if(motion.instants, isStation);
+  const auto last = std::find_if(motion.instants.rbegin(), motion.instants.rend(), isStation);
+  if (first == motion.instants.end()) return snaps;
+  const auto from = std::size_t(first - motion.instants.begin()),
+             to = std::size_t(motion.instants.rend() - last) - 1;
+  const Result<void> ok = parallelFor(context, int(blades.size()), [&](int k) {
+    const SimulatedBlade& at = blades[std::size_t(k)];
+    const bool within = at.instant >= from && (at.instant < to || (at.instant == to && at.atInstant));
+    if (within && at.margin > 0 && !isTaut(at.blade))
+      snaps[std::size_t(k)] = snapsByGrip(at.blade, stiffness, request);
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  return snaps;
+}
+
 const BarrierLook* leastBarrier(const std::vector<BarrierLook>& looks) {
   const BarrierLook* least = nullptr;
   for (const BarrierLook& look : looks)

@@ -4,6 +4,7 @@
 #include "bw/core/simulation/run_findings.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -139,9 +140,42 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
   return findings;
 }
 
-Findings restFindings(const std::vector<BarrierLook>& looks, const Simulation& simulation,
-                      const Motion& motion, double margin, const Findings& known) {
+/// Stretches of a run where blades snap once a grip is off, and stations beside do not: those are told.
+static void tellSnapsByGrip(const std::vector<char>& snaps, const Simulation& simulation,
+                            const Motion& motion, const CheckRequest& request, const Findings& known,
+                            Findings& findings) {
+  const auto isTold = [&](const StationRange& beside) {
+    return std::ranges::any_of(known, [&](const Finding& finding) {
+      const GripErrors* errors = std::get_if<GripErrors>(&finding.cause);
+      const HeldByLittle* held = std::get_if<HeldByLittle>(&finding.cause);
+      const std::optional<StationRange>& own = finding.where.stations;
+      return ((errors && errors->snaps) || (held && held->barrier == 0)) && own &&
+             (beside.last < 0 || own->first <= beside.last) &&
+             (beside.first < 0 || own->last >= beside.first);
+    });
+  };
+  for (std::size_t i = 0; i < snaps.size(); ++i) {
+    if (!snaps[i]) continue;
+    RunStretch at{i, i, i};
+    while (at.last + 1 < snaps.size() && snaps[at.last + 1]) ++at.last;
+    for (i = at.first; i < at.last; ++i)
+      if (simulation.blades[i + 1].margin < simulation.blades[at.worst].margin) at.worst = i + 1;
+    const StationRange beside = besideOf(simulation, motion.instants, at);
+    if (isTold(beside)) continue;
+    findings.push_back({Severity::error,
+                        GripErrors{std::numeric_limits<double>::infinity(), request.gripError,
+                                   request.gripAngle, request.tolerance, true},
+                        {beside, middleOf(simulation.blades[at.worst])},
+                        {}});
+  }
+}
+
+Findings restFindings(const std::vector<BarrierLook>& looks, const std::vector<char>& snapsByGrip,
+                      const Simulation& simulation, const Motion& motion, const CheckRequest& request,
+                      const Findings& known) {
   Findings findings;
+  const double margin = request.margin;
+  tellSnapsByGrip(snapsByGrip, simulation, motion, request, known, findings);
   for (const RunStretch& at : simulation.loose(margin - kMarginRounded)) {
     const StationRange beside = besideOf(simulation, motion.instants, at);
     const SimulatedBlade& worst = simulation.blades[at.worst];

@@ -26,7 +26,8 @@ constexpr int kSteps = 3;        // with one linearisation
 constexpr double kStill = 0.02;  // mm: a step of the grips that need not be taken,
 constexpr double kNone = 1e-3;   // and one that is none, where something that is asked for is missed
 constexpr double kSameAxes = 1e-9;
-constexpr int kMostStrides = 50;
+constexpr int kMostStrides = 80;
+constexpr double kShorter = 0.4, kLeastStride = 0.5;  // times the stride; mm
 
 /// A section on its way from one curve to another.
 class Way {
@@ -245,28 +246,43 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
     work.pose();
   else if (std::ranges::count(stays, 0) == 0)
     return true;
-  // A hand that is fast takes blades with it all the same.
+  // A hand that is fast takes blades with it all the same, in strides that become shorter where they do not
+  // follow.
   const double length = work.sweep.request.blade.length;
-  const int parts = std::clamp(int(std::ceil(longest / (kStride * length))), 1, kMostStrides);
-  for (int part = 1; part <= parts; ++part) {
+  double stride = longest > kStride * length ? kStride * length / longest : 1;
+  bool anew = !posed;
+  double done = 0;
+  for (int tried = 0; done < 1; ++tried) {
+    const double next = done + stride < 1 ? done + stride : 1;
     std::atomic<bool> fits = true;
-    const Result<void> ok = parallelFor(context, int(chosen.size()), [&](int k) {
-      const auto i = std::size_t(k);
-      if (stays[i] && (posed || part > 1)) return;
-      if (part == parts) {
-        work.sweep.fits[i].target = chosen[i]->curve();
-      } else if (!stays[i]) {
-        const Result<PlanarCurve> section = ways[i]->after(double(part) / parts);
-        if (section)
-          work.sweep.fits[i].target = *section;
-        else
-          fits = false;
-      }
-      Station& station = work.stations[i];
-      work.row->take(station, i);
-      if (station.sectionLength > length) fits = false;
-    });
-    if (!ok || !fits || !work.settle()) return false;
+    const std::vector<Station> before = work.stations;
+    const auto lay = [&](double share) {
+      return parallelFor(context, int(chosen.size()), [&](int k) {
+        const auto i = std::size_t(k);
+        if (stays[i] && !anew) return;
+        if (share == 1) {
+          work.sweep.fits[i].target = chosen[i]->curve();
+        } else if (!stays[i]) {
+          const Result<PlanarCurve> section = ways[i]->after(share);
+          if (section)
+            work.sweep.fits[i].target = *section;
+          else
+            fits = false;
+        }
+        work.row->take(work.stations[i], i);
+        if (work.stations[i].sectionLength > length) fits = false;
+      });
+    };
+    if (!lay(next) || !fits) return false;
+    if (work.settle()) {
+      done = next;
+      anew = false;
+      continue;
+    }
+    stride *= kShorter;
+    if (context.stopped() || stride * longest < kLeastStride || tried == kMostStrides) return false;
+    std::ranges::copy(before, work.stations.begin());
+    if (!lay(done) || !work.linearise()) return false;
   }
   return work.put();
 }

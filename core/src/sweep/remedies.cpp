@@ -93,10 +93,15 @@ FlatBlade flatBladeFor(const Sweep& sweep) {
   for (const BladePose& pose : sweep.poses) sharpest = std::max(sharpest, pose.blade.maxCurvature());
   const Result<std::vector<Blade>> presets = bladePresets();
   if (!presets) return {};
-  for (const Blade& blade : *presets)
-    if (blade.section == Blade::Section::flat && blade.minRadius() * sharpest < 1)
-      return {blade.name, blade.title};
-  return {};
+  FlatBlade thinner;
+  for (const Blade& blade : *presets) {
+    if (blade.section != Blade::Section::flat) continue;
+    const double bends = blade.minRadius() * sharpest;
+    if (bends < 1) return {blade.name, blade.title};
+    // What a blade bends to grows with its thickness.
+    thinner.thickness = std::max(thinner.thickness.value_or(0), blade.thickness / bends);
+  }
+  return thinner;
 }
 
 Remedies twiceAsMany(const Sweep& sweep, double clearance) {

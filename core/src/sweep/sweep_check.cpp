@@ -201,6 +201,14 @@ Moved movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest&
 
 }  // namespace
 
+bool snapsByGrip(const HeavyBlade& blade, double stiffness, const CheckRequest& request) {
+  constexpr int kPlaces = 9;
+  std::vector<double> arcs;
+  for (int k = 1; k <= kPlaces; ++k) arcs.push_back(blade.length() * k / (kPlaces + 1));
+  return (request.gripError > 0 || request.gripAngle > 0) &&
+         movedWithGripsOff(blade, stiffness, arcs, request).snaps;
+}
+
 Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());

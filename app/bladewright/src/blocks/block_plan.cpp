@@ -7,9 +7,11 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <QToolTip>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -107,6 +109,8 @@ void BlockPlan::refresh() {
   if (const Cell* cell = selected(); cell && std::exchange(shown_, cell->id) != cell->id) {
     layer = cell->at[2];
     setAccessibleDescription(tipOf(*cell));
+    if (zoom_ > 1 && !room().contains(toWidget(cell->place).center()))
+      bring(cell->place.center() - whole_.topLeft(), room().center());
   }
   if (std::exchange(layers_, layers) != layers || std::exchange(layer_, layer) != layer) emit layersChanged();
   update();
@@ -131,13 +135,52 @@ QString BlockPlan::wordOf(const std::string& block) const {
   return found->standing.colour == &Colours::success ? tr("cuttable") : found->standing.word;
 }
 
+QRectF BlockPlan::room() const { return QRectF(rect()).adjusted(kLeft, kTop, -kEdge, -kEdge); }
+
+double BlockPlan::fitting() const {
+  const QRectF seen = room();
+  if (whole_.isEmpty()) return 1;
+  return std::max(1e-6, std::min(seen.width() / whole_.width(), seen.height() / whole_.height()));
+}
+
 std::pair<double, QPointF> BlockPlan::scale() const {
-  const QRectF room = QRectF(rect()).adjusted(kLeft, kTop, -kEdge, -kEdge);
-  if (whole_.isEmpty()) return {1, room.topLeft()};
-  const double by = std::max(1e-6, std::min(room.width() / whole_.width(), room.height() / whole_.height()));
-  // In the middle, and the first row at the lower edge.
-  const QPointF spare(room.width() - by * whole_.width(), room.height() - by * whole_.height());
-  return {by, room.bottomLeft() + QPointF(0.5 * spare.x(), -0.5 * spare.y())};
+  const QRectF seen = room();
+  if (whole_.isEmpty()) return {1, seen.topLeft()};
+  const double by = zoom_ * fitting(), width = by * whole_.width(), height = by * whole_.height();
+  // In the middle, and the first row at the lower edge; of what is larger no room is left empty.
+  const double left = width <= seen.width() ? seen.center().x() - 0.5 * width
+                                            : std::clamp(seen.center().x() - by * middle_.x(),
+                                                         seen.right() - width, seen.left());
+  const double bottom = height <= seen.height() ? seen.center().y() + 0.5 * height
+                                                : std::clamp(seen.center().y() + by * middle_.y(),
+                                                             seen.bottom(), seen.top() + height);
+  return {by, {left, bottom}};
+}
+
+void BlockPlan::bring(const QPointF& place, const QPointF& position) {
+  const double by = zoom_ * fitting();
+  const QPointF off = (position - room().center()) / by;
+  middle_ = {place.x() - off.x(), place.y() + off.y()};
+  // Not beyond what can be seen, or the way back would be one, too.
+  const auto [scale, corner] = this->scale();
+  const QPointF seen = room().center() - corner;
+  middle_ = {seen.x() / scale, -seen.y() / scale};
+  update();
+}
+
+void BlockPlan::wheelEvent(QWheelEvent* event) {
+  constexpr double kNarrow = 48, kNearest = 400, kDouble = 240;  // px of a block; eighths of a degree
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const Cell& cell : cells_) narrowest = std::min({narrowest, cell.place.width(), cell.place.height()});
+  const double most = std::max(1.0, kNearest / (fitting() * narrowest));
+  const bool meant = zoom_ > 1 || fitting() * narrowest < kNarrow || event->modifiers() & Qt::ControlModifier;
+  const double next = std::clamp(zoom_ * std::exp2(event->angleDelta().y() / kDouble), 1.0, most);
+  // What changes nothing here moves what is around.
+  if (!meant || cells_.empty() || next == zoom_) return event->ignore();
+  const QPointF place = placeAt(event->position());
+  zoom_ = next;
+  bring(place, event->position());
+  event->accept();
 }
 
 QRectF BlockPlan::toWidget(const QRectF& place) const {
@@ -166,19 +209,23 @@ QPointF BlockPlan::boundary(std::size_t way, std::size_t index) const {
 
 const BlockPlan::Cell* BlockPlan::cellAt(const QPointF& position) const {
   for (const Cell& cell : cells_)
-    if (cell.at[2] == layer_ && toWidget(cell.place).contains(position)) return &cell;
+    if (cell.at[2] == layer_ && room().contains(position) && toWidget(cell.place).contains(position))
+      return &cell;
   return nullptr;
 }
 
 std::optional<BlockPlan::Boundary> BlockPlan::boundaryAt(const QPointF& position) const {
   if (!bench_.design().grid || !grid_) return {};
   if (!toWidget(whole_).adjusted(-kReach, -kReach, kReach, kReach).contains(position)) return {};
-  const double reach = kReach / scale().first;
+  constexpr double kShare = 0.25;  // of a block at most: the rest of it is to be clicked
   for (std::size_t way = 0; way < 2; ++way) {
     const double at = along(way, position);
-    for (std::size_t i = 0; i + 1 < grid_->sizes[way].size(); ++i)
+    const std::vector<double>& sizes = grid_->sizes[way];
+    for (std::size_t i = 0; i + 1 < sizes.size(); ++i) {
+      const double reach = std::min(kReach / scale().first, kShare * std::min(sizes[i], sizes[i + 1]));
       if (at > spanOf(*grid_, way, i).second - reach && at < spanOf(*grid_, way, i + 1).first + reach)
         return Boundary{way, i};
+    }
   }
   return {};
 }
@@ -199,10 +246,12 @@ void BlockPlan::mousePressEvent(QMouseEvent* event) {
                  0,         bench_.newMergeId()};
     return update();
   }
+  if (zoom_ > 1) grasped_ = placeAt(event->position());
   if (const Cell* cell = cellAt(event->position())) choose(Cell(*cell));
 }
 
 void BlockPlan::mouseMoveEvent(QMouseEvent* event) {
+  if (grasped_) return bring(*grasped_, event->position());
   if (!pull_) {
     const std::optional<Boundary> before = std::exchange(hovered_, boundaryAt(event->position()));
     if (hovered_ == before) return;
@@ -221,7 +270,9 @@ void BlockPlan::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void BlockPlan::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) endPull(false);
+  if (event->button() != Qt::LeftButton) return;
+  grasped_.reset();
+  endPull(false);
 }
 
 void BlockPlan::pull(double by, bool live) {
@@ -351,11 +402,15 @@ void BlockPlan::paintSizes(QPainter& painter) const {
   const Colours& c = theme_.colours();
   painter.setFont(Theme::secondaryFont());
   const QFontMetrics metrics(painter.font());
-  const QRectF whole = toWidget(whole_);
+  const QRectF seen = room(), whole = toWidget(whole_) & seen;
   for (std::size_t way = 0; way < 2; ++way)
     for (std::size_t i = 0; i < grid_->sizes[way].size(); ++i) {
       const auto [from, to] = spanOf(*grid_, way, i);
       const QRectF place = toWidget(way == 0 ? QRectF(from, 0, to - from, 1) : QRectF(0, from, 1, to - from));
+      const double middle = way == 0 ? place.center().x() : place.center().y();
+      if (middle < (way == 0 ? seen.left() : seen.top()) ||
+          middle > (way == 0 ? seen.right() : seen.bottom()))
+        continue;
       const bool pulled = pull_ && pull_->boundary.way == way &&
                           (pull_->boundary.index == i || pull_->boundary.index + 1 == i);
       painter.setPen(pulled ? c.text : c.secondary);
@@ -381,14 +436,17 @@ void BlockPlan::paintEvent(QPaintEvent*) {
     return;
   }
   const Cell* chosen = selected();
+  painter.save();
+  if (zoom_ > 1) painter.setClipRect(room().adjusted(-2, -2, 2, 2));
   for (const Cell& cell : cells_)
     if (cell.at[2] == layer_ && &cell != chosen) paintCell(painter, cell);
   if (chosen && chosen->at[2] == layer_) paintCell(painter, *chosen);
+  painter.restore();
   if (grid_) paintSizes(painter);
   const std::optional<Boundary> lit = pull_ ? std::optional(pull_->boundary) : hovered_;
   if (lit && grid_ && lit->index + 1 < grid_->sizes[lit->way].size()) {
     const QPointF middle = boundary(lit->way, lit->index);
-    const QRectF whole = toWidget(whole_);
+    const QRectF whole = toWidget(whole_) & room();
     painter.setPen(QPen(c.selection, 3));
     if (lit->way == 0)
       painter.drawLine(QPointF(middle.x(), whole.top()), QPointF(middle.x(), whole.bottom()));

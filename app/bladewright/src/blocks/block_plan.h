@@ -21,7 +21,8 @@ namespace bw::app {
 /// word. A click chooses a block, the arrow keys its neighbours, Page Up and Page Down the layers. A boundary
 /// between two columns or rows is pulled: in whole mm, with Shift in steps of 10, with Ctrl or Alt by a tenth
 /// of the way of the hand; Esc gives a pull up. Blocks that are a list lie in their place and are only
-/// chosen.
+/// chosen. Where blocks are too narrow to be hit the wheel brings them nearer, elsewhere with Ctrl; the plan
+/// is pulled then, and shows the block that is selected.
 class BlockPlan : public QWidget {
   Q_OBJECT
 
@@ -51,6 +52,7 @@ class BlockPlan : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -80,8 +82,15 @@ class BlockPlan : public QWidget {
   /// Blocks that stand anywhere are in layers, too, where one lies over another: by the heights of their
   /// bottoms, mm.
   void layCells(const std::vector<double>& bottoms);
+  /// Where blocks are drawn, in the widget.
+  QRectF room() const;
+  /// Pixels a mm where all of it is seen.
+  double fitting() const;
   /// Pixels a mm, and where the first corner lies.
   std::pair<double, QPointF> scale() const;
+  /// Moves what is seen so that a place of the plan (mm) lies there in the widget.
+  void bring(const QPointF& place, const QPointF& position);
+  QPointF placeAt(const QPointF& position) const { return {along(0, position), along(1, position)}; }
   QRectF toWidget(const QRectF& place) const;
   /// mm along a way of what lies under a place of the widget.
   double along(std::size_t way, const QPointF& position) const;
@@ -102,6 +111,9 @@ class BlockPlan : public QWidget {
   QRectF whole_;       ///< mm
   std::string shown_;  ///< the block that was selected last
   int layers_ = 1, layer_ = 0;
+  double zoom_ = 1;  ///< times as large as where all of it is seen
+  QPointF middle_;   ///< mm, the place of the plan in the middle of the room then
+  std::optional<QPointF> grasped_ = std::nullopt;  ///< mm, the place of the plan that is pulled
   std::optional<Boundary> hovered_;
   std::optional<Pull> pull_;
 };

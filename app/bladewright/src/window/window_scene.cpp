@@ -60,6 +60,7 @@ void MainWindow::follow(const Change& change) {
 void MainWindow::refreshResult(bool content) {
   const auto evaluation = bench_.shown();
   if (content) {
+    tellHovered({}, *view_);  // what the pointer was over may be elsewhere
     beside_->setContent(sceneContent());
     shownSketch_ = bench_.runner().sketch();
   }
@@ -84,6 +85,7 @@ void MainWindow::refreshResult(bool content) {
 
 void MainWindow::refreshSketch() {
   const std::shared_ptr<const pipeline::Sketch> sketch = bench_.runner().sketch();
+  tellHovered({}, *view_);
   std::optional<scene::Content> change;
   if (sketch && shownSketch_) change = pipeline::sceneChange(*sketch, *shownSketch_);
   if (change)

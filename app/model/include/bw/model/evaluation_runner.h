@@ -124,9 +124,12 @@ class EvaluationRunner : public QObject {
   bool soughtAnew() const { return searched_ != reachNumber_ || aroundNumber_ != regionNumber_; }
   /// True if a newer design than the one at work waits; with mutex_ locked.
   bool newerWaits() const;
-  /// Looks at the reach before a hand that is beyond what is known of it is shown there, for a while: it may
-  /// have to be led back. True where that was asked for meanwhile, so that it need not be shown there.
-  bool lookFirst(const std::stop_token& end);
+  /// Draws a sketch and hands it out; false where none can be drawn.
+  bool showSketch(std::uint64_t number, const Design& design, const RunContext& context);
+  /// Looks at the reach before a hand that is beyond what is known of it is shown there, since it may have to
+  /// be led back: meanwhile it is shown as far as is known. False where a newer design came, so that this one
+  /// need not be shown.
+  bool lookFirst(std::uint64_t number, const RunContext& context, const std::stop_token& end);
   /// One more look at the reach that is sought; false where there is nothing to look for.
   bool lookFarther(const std::stop_token& end);
   /// Holds a border of it against an evaluation until something else is asked for; false where there is none
@@ -170,9 +173,8 @@ class EvaluationRunner : public QObject {
   std::optional<pipeline::Sketcher> sketcher_;  // from the newest result
   std::optional<pipeline::ReachSearch> search_;
   std::optional<pipeline::RegionSearch> around_;
-  std::uint64_t searched_ = 0, aroundNumber_ = 0;  // the numbers of these
-  int looksFirst_ = 0;                             // at the reach, before pictures
-  std::chrono::steady_clock::duration lookedFirst_ = {};
+  std::uint64_t searched_ = 0, aroundNumber_ = 0;   // the numbers of these
+  std::chrono::steady_clock::time_point onwardAt_;  // the last picture of a hand that its reach follows
 
   // Of the interface thread.
   std::uint64_t lastNumber_ = 0, firstWanted_ = 0;

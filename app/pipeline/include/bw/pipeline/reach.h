@@ -62,6 +62,12 @@ class ReachSearch {
   /// where they find nothing more. What is free and barred between two looks is not seen.
   bool look(const RunContext& context);
   bool looking() const;
+  /// True while looks may yet tell whether it may be moved by so much.
+  bool seeks(double by) const;
+  /// True where it is known to be barred, as far as looks tell.
+  bool bars(double by) const;
+  /// The design moved that way as far as it is known to be free.
+  Design towards(double by) const { return at_(reach_.ends[by < 0 ? 0 : 1].free); }
   /// One evaluation beside a border that sketches found: just beyond it, then, if it bars nothing in truth,
   /// ever farther and back; and just before it, then, if it is barred in truth, ever nearer. False where
   /// nothing is left to be held against one.

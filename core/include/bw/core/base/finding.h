@@ -503,7 +503,9 @@ struct ServingLengths {
          to = 0;  ///< mm, the stretch of those that serve that holds it; where none does, of those tried
   /// mm, the least that was tried besides the one asked for where no length serves; that if none was.
   std::optional<double> leastClearance = std::nullopt;
-  bool atStationsAlone = false;  ///< what was taken breaks limits between the stations, or beside them
+  /// What was taken breaks limits between the stations, or beside them; or what is advised may, as what is
+  /// does.
+  bool atStationsAlone = false;
 };
 /// The widths of a kerf over speed and the blades, which their speeds follow from, do not come to rest.
 struct KerfUnsettled {

@@ -25,7 +25,8 @@ struct BendingBlade {
 };
 /// A flat blade in place of a round one; the preset is one that bends as far as the row asks for.
 struct FlatBlade {
-  std::string preset = {}, title = {};  ///< empty if there is none
+  std::string preset = {}, title = {};             ///< empty if there is none
+  std::optional<double> thickness = std::nullopt;  ///< mm at most, of the material of flat presets, then
 };
 /// The surface larger by a factor, with a blade of that length where the present one would be too short.
 struct LargerSurface {

@@ -25,9 +25,10 @@ BlockGrid withCount(BlockGrid grid, std::size_t way, int count, bool divided);
 /// they tell. Designed surfaces that were told over the whole of `before` as seen from above are told over
 /// the whole of `grid`: the rectangle of poles and formulas is another, points of sections and joints of
 /// their cubics stay on the boundaries of the blocks on which they lie, as key blades do, and those beyond
-/// the last go; a curve that ends elsewhere than it did is cut there; over more columns sections go on in a
-/// mirror on each boundary, over more rows the last one, or the last key blade, is repeated. Error
-/// `badInput`: more blocks or cuts than a design may have, or a block that is no block.
+/// the last go; a curve that ends elsewhere than it did is cut there (a spline, which ends without curvature,
+/// gets one or two points beside its end where it would be more than 0.1 mm off by that); over more columns
+/// sections go on in a mirror on each boundary, over more rows the last one, or the last key blade, is
+/// repeated. Error `badInput`: more blocks or cuts than a design may have, or a block that is no block.
 Result<Design> withGrid(const Design& design, const BlockGrid& before, const BlockGrid& grid,
                         const std::string& like);
 

@@ -9,6 +9,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
 #include "bw/core/simulation/simulation.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw {
 
@@ -32,6 +33,12 @@ struct BarrierLook {
 /// lie across (`acrossFrom`): each moment is asked for that. Errors: `cancelled`. Some 0.1 s.
 [[nodiscard]] Result<std::vector<BarrierLook>> barriersAlong(const Simulation& simulation, double stiffness,
                                                              const RunContext& context);
+
+/// Whether each blade of a run snaps where a grip is off (`snapsByGrip`), of those between the first station
+/// of the motion and its last one that are not held taut. `cancelled` on a stop. Some 0.3 ms a blade.
+[[nodiscard]] Result<std::vector<char>> snapsByGripAlong(const Simulation& simulation, const Motion& motion,
+                                                         double stiffness, const CheckRequest& request,
+                                                         const RunContext& context);
 
 /// The one with the least barrier; null if none has one.
 const BarrierLook* leastBarrier(const std::vector<BarrierLook>& looks);

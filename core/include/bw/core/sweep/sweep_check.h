@@ -76,6 +76,10 @@ struct SweepCheck {
 [[nodiscard]] Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request,
                                             const RunContext& context);
 
+/// True if a blade with this stiffness (N mm²) snaps where one of its grips is off, any way and turned either
+/// way, by as much as the request says. Some 0.3 ms.
+[[nodiscard]] bool snapsByGrip(const HeavyBlade& blade, double stiffness, const CheckRequest& request);
+
 /// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the
 /// mean angle are over the area of the cut surface; those of R4 and Hausdorff distance over the stations.
 struct SweepSummary {
