@@ -302,7 +302,8 @@ Result<void> seeBarriers(const CutWork& work, double& seconds) {
                            snapsByGripAlong(*e.run.value, *e.motion.value, stiffness, request, work.context);
                        if (!snaps) return tl::unexpected<Error>(snaps.error());
                        Findings known = e.analysis.findings;
-                       append(known, e.rest.findings);
+                       for (const Findings* told : {&e.rest.findings, &e.way.findings, &e.simulated.findings})
+                         append(known, *told);
                        findings = restFindings(*looks, *snaps, *e.run.value, *e.motion.value, request, known);
                        return looks;
                      });

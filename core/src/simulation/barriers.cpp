@@ -22,6 +22,7 @@ constexpr std::size_t kStride = 2;     // moments to the next at which passes ar
 constexpr std::size_t kOfStretch = 3;  // looks at moments in a row at which another shape lies across
 constexpr std::size_t kAtOnce = 128;   // of these
 constexpr double kSameShape = 0.5;     // mm
+constexpr int kMostAsked = 100;        // blades of a run, whether they snap by a grip
 constexpr int kPlaces = 41;            // of a blade, at which it is held against another
 
 double apart(const HeavyBlade& a, const HeavyBlade& b) {
@@ -290,12 +291,24 @@ Result<std::vector<char>> snapsByGripAlong(const Simulation& simulation, const M
   if (first == motion.instants.end()) return snaps;
   const auto from = std::size_t(first - motion.instants.begin()),
              to = std::size_t(motion.instants.rend() - last) - 1;
-  const Result<void> ok = parallelFor(context, int(blades.size()), [&](int k) {
-    const SimulatedBlade& at = blades[std::size_t(k)];
-    const bool within = at.instant >= from && (at.instant < to || (at.instant == to && at.atInstant));
-    if (within && at.margin > 0 && !isTaut(at.blade))
-      snaps[std::size_t(k)] = snapsByGrip(at.blade, stiffness, request);
+  const auto within = [&](const SimulatedBlade& at) {
+    return at.instant >= from && (at.instant < to || (at.instant == to && at.atInstant));
+  };
+  // Evenly in time: what lies between two that snap does, too.
+  std::vector<std::size_t> asked;
+  const double step = (motion.instants[to].time - motion.instants[from].time) / kMostAsked;
+  for (std::size_t i = 0; i < blades.size(); ++i)
+    if (within(blades[i]) && (asked.empty() || blades[i].time >= blades[asked.back()].time + step))
+      asked.push_back(i);
+  const Result<void> ok = parallelFor(context, int(asked.size()), [&](int k) {
+    const std::size_t i = asked[std::size_t(k)];
+    const SimulatedBlade& at = blades[i];
+    if (at.margin > 0 && !isTaut(at.blade)) snaps[i] = snapsByGrip(at.blade, stiffness, request);
   });
+  for (std::size_t k = 1; k < asked.size(); ++k)
+    if (snaps[asked[k - 1]] && snaps[asked[k]])
+      std::fill(snaps.begin() + std::ptrdiff_t(asked[k - 1]), snaps.begin() + std::ptrdiff_t(asked[k]),
+                char(1));
   if (!ok) return tl::unexpected<Error>(ok.error());
   return snaps;
 }

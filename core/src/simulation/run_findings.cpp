@@ -140,7 +140,8 @@ Findings runFindings(const Simulation& simulation, const SimulatedSurface& surfa
   return findings;
 }
 
-/// Stretches of a run where blades snap once a grip is off, and stations beside do not: those are told.
+/// Stretches of a run where blades snap once a grip is off, but where it is told that stations beside do, or
+/// that blades snap there with all grips where they should be.
 static void tellSnapsByGrip(const std::vector<char>& snaps, const Simulation& simulation,
                             const Motion& motion, const CheckRequest& request, const Findings& known,
                             Findings& findings) {
@@ -149,8 +150,9 @@ static void tellSnapsByGrip(const std::vector<char>& snaps, const Simulation& si
       const GripErrors* errors = std::get_if<GripErrors>(&finding.cause);
       const HeldByLittle* held = std::get_if<HeldByLittle>(&finding.cause);
       const std::optional<StationRange>& own = finding.where.stations;
-      return ((errors && errors->snaps) || (held && held->barrier == 0)) && own &&
-             (beside.last < 0 || own->first <= beside.last) &&
+      const bool isSnap = (errors && errors->snaps) || (held && held->barrier == 0) ||
+                          isOf<SnapsOnTheWay>(finding) || isOf<ArrivesOtherwise>(finding);
+      return isSnap && own && (beside.last < 0 || own->first <= beside.last) &&
              (beside.first < 0 || own->last >= beside.first);
     });
   };

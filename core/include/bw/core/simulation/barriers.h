@@ -35,7 +35,8 @@ struct BarrierLook {
                                                              const RunContext& context);
 
 /// Whether each blade of a run snaps where a grip is off (`snapsByGrip`), of those between the first station
-/// of the motion and its last one that are not held taut. `cancelled` on a stop. Some 0.3 ms a blade.
+/// of the motion and its last one that are not held taut; a hundred of them are asked, evenly in time.
+/// `cancelled` on a stop. Some 1 ms for each of these.
 [[nodiscard]] Result<std::vector<char>> snapsByGripAlong(const Simulation& simulation, const Motion& motion,
                                                          double stiffness, const CheckRequest& request,
                                                          const RunContext& context);

@@ -28,7 +28,8 @@ inline constexpr double kMarginRounded = 1e-3;
 /// another shape: the least such place; else the first where it could not be found out how little does; both
 /// told as `OtherShape`, but where `known` tells that shapes are lost. And stretches that keep less than the
 /// margin of the request (`LowMargin`), or whose blades snap where a grip is off (`GripErrors`; one of
-/// `snapsByGrip` a blade), but where `known` tells that of stations beside. Ranges as above.
+/// `snapsByGrip` a blade), but where `known` tells that of stations beside, or that blades snap there anyway.
+/// Ranges as above.
 [[nodiscard]] Findings restFindings(const std::vector<BarrierLook>& looks,
                                     const std::vector<char>& snapsByGrip, const Simulation& simulation,
                                     const Motion& motion, const CheckRequest& request, const Findings& known);
