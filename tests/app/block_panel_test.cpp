@@ -155,7 +155,8 @@ TEST_F(BlockPanelTest, OneOfManyBlocksIsHitAndBroughtNear) {
   EXPECT_EQ(chosen(), "column-51");
   EXPECT_TRUE(plan().rect().contains(at("column-51")));
   for (int i = 0; i < 8; ++i) turn(-120);
-  EXPECT_NEAR(plan().rectOf("column-30").left(), far.left(), 1e-6);
+  EXPECT_GE(plan().rectOf("column-1").left(), 0);
+  EXPECT_LE(plan().rectOf("column-60").right(), plan().width());
   EXPECT_FALSE(turn(-120)) << "what is around is moved then";
 }
 

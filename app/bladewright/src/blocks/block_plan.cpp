@@ -174,7 +174,9 @@ void BlockPlan::wheelEvent(QWheelEvent* event) {
   for (const Cell& cell : cells_) narrowest = std::min({narrowest, cell.place.width(), cell.place.height()});
   const double most = std::max(1.0, kNearest / (fitting() * narrowest));
   const bool meant = zoom_ > 1 || fitting() * narrowest < kNarrow || event->modifiers() & Qt::ControlModifier;
-  const double next = std::clamp(zoom_ * std::exp2(event->angleDelta().y() / kDouble), 1.0, most);
+  constexpr double kSame = 1e-6;  // there and back is the same
+  double next = std::clamp(zoom_ * std::exp2(event->angleDelta().y() / kDouble), 1.0, most);
+  if (next < 1 + kSame) next = 1;
   // What changes nothing here moves what is around.
   if (!meant || cells_.empty() || next == zoom_) return event->ignore();
   const QPointF place = placeAt(event->position());
