@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the picture shows of a design, and what is done in it: faces, findings, blocks, maps, views.
+#include <QLabel>
 #include <cmath>
 
 #include "bw/core/sweep/maps.h"
@@ -274,6 +275,30 @@ TEST_F(PictureTest, EveryMapHasOneNameEverywhere) {
   const Blade& blade = bench().design().blade;
   EXPECT_EQ(view().legendRange()->first, 0);
   EXPECT_NEAR(view().legendRange()->second, blade.stress(blade.maxCurvature()), 1e-9);
+}
+
+TEST_F(PictureTest, WordsOfWhatIsPointedAtGoWhenTheSurfaceMoves) {
+  openPanel();
+  window().commands()["map.deviation"]->trigger();
+  ASSERT_TRUE(still());
+  const auto words = [this](const QString& name) {
+    for (const QLabel* label : window().findChildren<QLabel*>())
+      if (label->accessibleName() == name) return label->text();
+    return QString("no such label");
+  };
+  std::optional<QPoint> onSurface;
+  for (int y = 8; y < view().height() && !onSurface; y += 8)
+    for (int x = 8; x < view().width() && !onSurface; x += 8)
+      if (view().pickAt(QPointF(x, y)).value) onSurface = QPoint(x, y);
+  ASSERT_TRUE(onSurface);
+  QTest::mouseMove(&view(), *onSurface);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return words("Value under the cursor") != ""; }, kPatience));
+  EXPECT_TRUE(words("Value under the cursor").startsWith("Deviation "));
+  EXPECT_TRUE(words("Coordinates under the cursor").endsWith(" mm"));
+  bench().editDesign("Length", [](Design& design) { design.blade.length += 5; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(words("Value under the cursor"), "");
+  EXPECT_EQ(words("Coordinates under the cursor"), "");
 }
 
 TEST_F(PictureTest, CreasesAreColouredByHowFarTheyAreOff) {

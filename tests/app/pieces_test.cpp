@@ -277,13 +277,18 @@ TEST_F(Pieces, AWallOfThreeBlocks) {
   EXPECT_EQ(bench().shown()->blocks.size(), 3u);
   picture("piece-wall-begun");
   isGood();
-  // A fourth block, and back.
+  // A fourth block, without it again, and undone.
   const Design before = bench().design();
+  const int begun = bench().document().undoStack().index();
   ASSERT_NO_FATAL_FAILURE(type("Columns", "4"));
   ASSERT_NO_FATAL_FAILURE(stands());
   EXPECT_EQ(bench().shown()->blocks.size(), 4u);
   isGood();
   ASSERT_NO_FATAL_FAILURE(type("Columns", "3"));
+  ASSERT_NO_FATAL_FAILURE(stands());
+  EXPECT_EQ(bench().shown()->blocks.size(), 3u);
+  isGood();
+  bench().document().undoStack().setIndex(begun);
   EXPECT_EQ(bench().design(), before);
   ASSERT_NO_FATAL_FAILURE(stands());
   ASSERT_NO_FATAL_FAILURE(choose("Surface", "Formula"));

@@ -36,16 +36,9 @@ bool isLost(const Finding& finding) {
 /// True for what a blade does that leaves its shape from station to station.
 bool leavesOnTheWay(const Finding& finding) { return isOneOf<SnapsOnTheWay, ArrivesOtherwise>(finding); }
 
-/// True for a blade that snaps where a grip is off.
-bool snapsByGrip(const Finding& finding) {
-  const GripErrors* errors = std::get_if<GripErrors>(&finding.cause);
-  const HeldByLittle* held = std::get_if<HeldByLittle>(&finding.cause);
-  return (errors && errors->snaps) || (held && held->barrier == 0);
-}
-
 /// True for what a blade does that does not rest, or cannot be led where it does.
 bool restFails(const Finding& finding) {
-  return isLost(finding) || leavesOnTheWay(finding) || snapsByGrip(finding) ||
+  return isLost(finding) || leavesOnTheWay(finding) || isSnapByGrip(finding) ||
          isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
 }
 
@@ -63,7 +56,7 @@ bool advisesLength(const Finding& finding) {
 bool restsLoosely(const Finding& finding) {
   const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
   return (other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) ||
-         leavesOnTheWay(finding) || snapsByGrip(finding) || isOneOf<WouldSnap, WouldTwist, NoWay>(finding);
+         leavesOnTheWay(finding) || isSnapByGrip(finding) || isOneOf<WouldSnap, WouldTwist, NoWay>(finding);
 }
 
 /// True for a grip too near to the block that no longer blade takes away from it.
@@ -189,7 +182,7 @@ void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& bla
       if (GripTooNear* near = std::get_if<GripTooNear>(&finding.cause)) near->unheldLength = longer->length;
     drop<OtherLength>(finding.remedies);
     if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
-    if ((isLost(finding) || leavesOnTheWay(finding) || snapsByGrip(finding) || isOneOf<NoWay>(finding)) &&
+    if ((isLost(finding) || leavesOnTheWay(finding) || isSnapByGrip(finding) || isOneOf<NoWay>(finding)) &&
         !best)
       finding.remedies.push_back(CutInParts{});
   }

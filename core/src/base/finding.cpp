@@ -30,4 +30,10 @@ bool exceedsLimit(const Findings& findings) {
   });
 }
 
+bool isSnapByGrip(const Finding& finding) {
+  const auto* errors = std::get_if<GripErrors>(&finding.cause);
+  const auto* held = std::get_if<HeldByLittle>(&finding.cause);
+  return (errors && errors->snaps) || (held && held->barrier == 0);
+}
+
 }  // namespace bw

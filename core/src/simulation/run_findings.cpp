@@ -147,11 +147,9 @@ static void tellSnapsByGrip(const std::vector<char>& snaps, const Simulation& si
                             Findings& findings) {
   const auto isTold = [&](const StationRange& beside) {
     return std::ranges::any_of(known, [&](const Finding& finding) {
-      const GripErrors* errors = std::get_if<GripErrors>(&finding.cause);
-      const HeldByLittle* held = std::get_if<HeldByLittle>(&finding.cause);
       const std::optional<StationRange>& own = finding.where.stations;
-      const bool isSnap = (errors && errors->snaps) || (held && held->barrier == 0) ||
-                          isOf<SnapsOnTheWay>(finding) || isOf<ArrivesOtherwise>(finding);
+      const bool isSnap =
+          isSnapByGrip(finding) || isOf<SnapsOnTheWay>(finding) || isOf<ArrivesOtherwise>(finding);
       return isSnap && own && (beside.last < 0 || own->first <= beside.last) &&
              (beside.first < 0 || own->last >= beside.first);
     });

@@ -665,4 +665,7 @@ bool hasErrors(const Findings& findings);
 /// does that a round blade may leave its plane, which hangs on how the grips hold it.
 bool exceedsLimit(const Findings& findings);
 
+/// True where a finding says that the blade snaps once a grip is off.
+bool isSnapByGrip(const Finding& finding);
+
 }  // namespace bw
