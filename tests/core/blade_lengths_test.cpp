@@ -448,5 +448,31 @@ TEST(GripErrors, ABladeThatIsHeldStraightBuckles) {
   EXPECT_NEAR(movedWith(sag) / std::max(closer, sag), 1, 0.15);
 }
 
+TEST(GripErrors, AGripThatTakesUpAllTheSlackPullsTheBladeFlat) {
+  // It moves by as much as it rises, turned or not: by more at each of these arches, which become higher.
+  constexpr int kArches = 61;
+  LengthRequest request = asked();
+  request.fit.blade = bladePreset("steel-tube-3-2.5").value();
+  request.fit.blade.length = 750;
+  const auto row = test::sectionsOf(kArches, 10, [&](int i) {
+    const double height = 2.4 + 9.6 * i / (kArches - 1);
+    return test::graphCurve(kHalf, [&](double x) { return height * std::cos(kPi * x / (2 * kHalf)); });
+  });
+  Findings findings;
+  const Result<Sweep> sweep = buildSweep(row, request.fit, block(), planes(), {}, findings);
+  ASSERT_TRUE(sweep);
+  const Result<SweepCheck> check = checkSweep(*sweep, request.check, {});
+  ASSERT_TRUE(check);
+  int pulled = 0;
+  for (std::size_t i = 1; i < check->stations.size(); ++i) {
+    const double slack = sweep->poses[i].slack();
+    if (slack < 0.15 || slack > 0.48) continue;
+    ++pulled;
+    EXPECT_GT(check->stations[i].movedByGrip, 0.98 * check->stations[i - 1].movedByGrip)
+        << i << ", slack " << slack;
+  }
+  EXPECT_GT(pulled, 10);
+}
+
 }  // namespace
 }  // namespace bw

@@ -71,21 +71,34 @@ class GripsOff {
       off.grips.turning.reset();
       const Result<ClampedBranch::Move> move = there.moveTo(off);
       if (move && !move->snapped) continue;
+      if (!move && nearer < 0) {  // as hard as it would be pulled none is followed: it comes to lie straight
+        straighten(off.grips.start, off.grips.end, moved);
+        return true;
+      }
       // Pulled nearly straight it cannot be turned as well, and stays where its branch ends.
-      if (!(nearer < 0) || (move && !nearlyTaut(slack() + part * nearer * move->reached, turn))) {
+      if (!(nearer < 0) || !nearlyTaut(slack() + part * nearer * move->reached, turn)) {
         snapped_ = move.has_value();
         return false;
       }
     }
     there.blade().at(arcs_, is_);
-    for (std::size_t k = 0; k < arcs_.size(); ++k) {
-      const Eigen::Vector2d normal(-std::sin(was_[k].angle), std::cos(was_[k].angle));
-      moved[k] = std::max(moved[k], std::abs(normal.dot(is_[k].point - was_[k].point)));
-    }
+    raise(moved);
     return true;
   }
 
  private:
+  /// Raises `moved` to how far a straight blade between these places lies across itself from where it was.
+  void straighten(const Eigen::Vector2d& start, const Eigen::Vector2d& end, std::vector<double>& moved) {
+    for (std::size_t k = 0; k < arcs_.size(); ++k)
+      is_[k].point = start + arcs_[k] / held_.grips.length * (end - start);
+    raise(moved);
+  }
+  void raise(std::vector<double>& moved) const {
+    for (std::size_t k = 0; k < arcs_.size(); ++k) {
+      const Eigen::Vector2d normal(-std::sin(was_[k].angle), std::cos(was_[k].angle));
+      moved[k] = std::max(moved[k], std::abs(normal.dot(is_[k].point - was_[k].point)));
+    }
+  }
   /// Whether so much slack is all but gone, or no more than ends need that are turned so much.
   bool nearlyTaut(double left, double turn) const {
     return left < std::max(0.02 * slack(), 0.1 * held_.grips.length * turn * turn);
