@@ -48,14 +48,16 @@ class FaceSampler final : public SurfaceSampler {
         attempt(seed->face, seed->uv);
       }
       // The seed's foot stands if the nearest sample of the target is one of its own neighbours and no nearer
-      // than it; on a border another face may go on.
+      // than it, nor is the grid beside that; on a border another face may go on.
       const bool crosses = best.onBorder && target_->faces.size() > 1;
       double nearest = 0;
       const int sample = table_.tree.nearest(p, best.distance + table_.spacing, nearest);
-      const bool stands =
-          bestFace >= 0 && !crosses &&
-          (sample < 0 || (nearest >= best.distance && (point(sample) - best.point).norm() <=
-                                                          2 * table_.samples[std::size_t(sample)].radius));
+      const auto isItsOwn = [&] {
+        const double radius = table_.samples[std::size_t(sample)].radius;
+        return nearest >= best.distance && (point(sample) - best.point).norm() <= 2 * radius &&
+               !passesNearer(p, sample, best.distance);
+      };
+      const bool stands = bestFace >= 0 && !crosses && (sample < 0 || isItsOwn());
       if (!stands && sample >= 0) search(p, nearest, sample, attempt);
       tryOthers(p, best.distance, attempt);
       if (bestFace < 0)
@@ -222,6 +224,23 @@ class FaceSampler final : public SurfaceSampler {
 
   bool tried(int face) const { return std::ranges::find(tried_, face) != tried_.end(); }
 
+  /// Whether a line of the grid through that sample passes nearer to p than `distance`. Where this is little
+  /// beside the grid's finer way, nothing that the grid shows of the surface has two feet so near.
+  bool passesNearer(const Eigen::Vector3d& p, int index, double distance) const {
+    const SearchTable::Sample& s = table_.samples[std::size_t(index)];
+    if (s.i < 0 || 2 * distance < s.fine) return false;
+    const FaceGeometry& face = *target_->faces[std::size_t(s.face)];
+    const int nu = int(face.gridU().size()), nv = int(face.gridV().size());
+    for (const auto& [i, j] : {std::pair(s.i - 1, s.j), std::pair(s.i + 1, s.j), std::pair(s.i, s.j - 1),
+                               std::pair(s.i, s.j + 1)}) {
+      if (i < 0 || j < 0 || i >= nu || j >= nv || !face.gridInside(i, j)) continue;
+      const Eigen::Vector3d &a = point(index), &b = face.gridPoint(i, j);
+      const Eigen::Vector3d place = a + nearestOnSegment(p, a, b) * (b - a);
+      if ((place - p).squaredNorm() < distance * distance) return true;
+    }
+    return false;
+  }
+
   bool lowest(int index, const Eigen::Vector3d& p, double d2) const {
     const SearchTable::Sample& s = table_.samples[std::size_t(index)];
     if (s.i < 0) {
@@ -296,9 +315,9 @@ const SearchTable& Target::Impl::searchTable() const {
   std::call_once(tableOnce, [this] {
     auto made = std::make_unique<SearchTable>();
     std::vector<Eigen::Vector3d> points;
-    const auto add = [&](int face, int i, int j, double u, double v, const Eigen::Vector3d& p,
-                         double radius) {
-      made->samples.push_back({face, i, j, u, v, radius});
+    const auto add = [&](int face, int i, int j, double u, double v, const Eigen::Vector3d& p, double radius,
+                         double fine) {
+      made->samples.push_back({face, i, j, u, v, radius, fine});
       made->spacing = std::max(made->spacing, radius);
       made->faces.back().spacing = std::max(made->faces.back().spacing, radius);
       points.push_back(p);
@@ -312,14 +331,16 @@ const SearchTable& Target::Impl::searchTable() const {
         for (int j = 0; j < nv; ++j) {
           if (!face.gridInside(i, j)) continue;
           const Eigen::Vector3d& p = face.gridPoint(i, j);
-          double radius2 = 0;
+          double radius2 = 0, fine2 = 1e300;
           for (const auto& [a, b] :
                {std::pair(i - 1, j), std::pair(i + 1, j), std::pair(i, j - 1), std::pair(i, j + 1)}) {
             if (a >= 0 && b >= 0 && a < nu && b < nv) {
-              radius2 = std::max(radius2, (face.gridPoint(a, b) - p).squaredNorm());
+              const double way2 = (face.gridPoint(a, b) - p).squaredNorm();
+              radius2 = std::max(radius2, way2);
+              fine2 = std::min(fine2, way2);
             }
           }
-          add(f, i, j, face.gridU()[i], face.gridV()[j], p, std::sqrt(radius2));
+          add(f, i, j, face.gridU()[i], face.gridV()[j], p, std::sqrt(radius2), std::sqrt(fine2));
         }
       }
       if (face.natural()) continue;
@@ -331,7 +352,8 @@ const SearchTable& Target::Impl::searchTable() const {
           const Eigen::Vector3d& p = edge.points[i];
           const double before = i > 0 ? (edge.points[i - 1] - p).norm() : 0.0;
           const double after = i + 1 < edge.points.size() ? (edge.points[i + 1] - p).norm() : 0.0;
-          add(f, -1, int(&trim - face.trims().data()), uv.x(), uv.y(), p, std::max(before, after));
+          const double radius = std::max(before, after);
+          add(f, -1, int(&trim - face.trims().data()), uv.x(), uv.y(), p, radius, radius);
         }
       }
     }

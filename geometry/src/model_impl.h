@@ -35,6 +35,7 @@ struct SearchTable {
     int i, j;  ///< node of the face's grid; i = −1: a sample of its border number j
     double u, v;
     double radius;  ///< mm to its furthest neighbour
+    double fine;    ///< mm to its nearest one; of a border's sample, the same as the radius
   };
   PointTree tree;
   std::vector<Sample> samples;

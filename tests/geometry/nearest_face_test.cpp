@@ -3,7 +3,11 @@
 
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 
+#include <cmath>
 #include <random>
 
 #include "sheets.h"
@@ -89,6 +93,39 @@ TEST(NearestFace, IsFoundAcrossAFold) {
                                        tilted({{0, 0}, {500, 0}, {500, -280}, {40, -300}}, 0.01, 0.02, 9),
                                        polygon({{0, 0, 0}, {500, 0, 10}, {500, 0, 14}, {0, 0, 9}})});
   expectNearest(steps, "steps", 15);
+}
+
+TEST(NearestFace, IsNotKeptBehindARidgeThatWasCrossed) {
+  // A ridge as narrow as a fillet, whose nodes lie far from one another along it: a foot that follows its
+  // neighbours comes to its other flank, where the distance has a minimum too.
+  constexpr int kAcross = 151, kAlong = 7;
+  constexpr double kWidth = 300, kLength = 500, kRidge = 151, kThin = 2.5, kHigh = 6;
+  const auto height = [](double x) { return kHigh * std::exp(-std::pow((x - kRidge) / kThin, 2)); };
+  TColgp_Array2OfPnt points(1, kAcross, 1, kAlong);
+  for (int i = 0; i < kAcross; ++i)
+    for (int j = 0; j < kAlong; ++j) {
+      const double x = kWidth * i / (kAcross - 1);
+      points(i + 1, j + 1) = gp_Pnt(x, kLength * j / (kAlong - 1), height(x));
+    }
+  GeomAPI_PointsToBSplineSurface interpolated;
+  interpolated.Interpolate(points);
+  const Target target =
+      targetOf(BRepBuilderAPI_MakeFace(interpolated.Surface(), 1e-6).Face(), {FaceChoice::Kind::all, {}});
+  const auto sampler = target.sampler();
+  for (const double y : {20.0, 281.2, 333.0}) {
+    std::optional<SurfaceSampler::Foot> before;
+    for (double x = 170; x > 130; x -= 1) {
+      const Eigen::Vector3d p(x, y, 0.6);
+      const double alone = sampler->closest(p, nullptr)->distance;
+      const auto foot = sampler->closest(p, before ? &*before : nullptr);
+      ASSERT_TRUE(foot);
+      EXPECT_NEAR(foot->distance, alone, kAlike) << p.transpose();
+      if (std::abs(x - kRidge) > 6 * kThin) {
+        EXPECT_NEAR(foot->distance, 0.6, 1e-3) << p.transpose();
+      }
+      before = *foot;
+    }
+  }
 }
 
 }  // namespace
