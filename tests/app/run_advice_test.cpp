@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bw/core/sweep/lowest_place.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/sketch.h"
 #include "bw/words/findings.h"
 #include "finding_of.h"
 #include "read_design.h"
@@ -72,7 +76,8 @@ TEST(RunAdvice, AnOpenLengthIsNotToldToServeWhereTheBladeIsLostBetweenTheStation
   const Design design = designOf(turningOver(R"("auto")"));
   const Evaluation live = evaluated(design, Purpose::live), files = evaluated(design);
   for (const Evaluation* e : {&live, &files}) {
-    const ServingLengths* lengths = test::causeOf<ServingLengths>(e->findings());
+    const Findings findings = e->findings();
+    const ServingLengths* lengths = test::causeOf<ServingLengths>(findings);
     ASSERT_TRUE(lengths) << toldOf(*e);
     EXPECT_EQ(lengths->said, ServingLengths::Said::nearest) << toldOf(*e);
   }
@@ -102,7 +107,8 @@ TEST(RunAdvice, WhatIsLostBetweenTheStationsIsAdvised) {
   const Evaluation e = evaluated(designOf(turningOver("635")));
   ASSERT_TRUE(test::findingOf<OtherShape>(e.cut().barriers.findings));
   EXPECT_TRUE(e.cut().lengths.value && e.cut().clearances.value);
-  const ServingLengths* lengths = test::causeOf<ServingLengths>(e.findings());
+  const Findings findings = e.findings();
+  const ServingLengths* lengths = test::causeOf<ServingLengths>(findings);
   ASSERT_TRUE(lengths) << toldOf(e);
   EXPECT_EQ(lengths->said, ServingLengths::Said::none) << toldOf(e);
 }
@@ -131,6 +137,41 @@ TEST(RunAdvice, CornersThatStationsEndBeforeAreCutByTheirBlades) {
                 R"("tolerance": 1, "margin": 0.05, "floor": 0)", "[0, 1, 0.8]"}));
   EXPECT_EQ(e.result()->coverage.uncovered, 0) << toldOf(e);
   EXPECT_FALSE(hasErrors(e.findings())) << toldOf(e);
+}
+
+TEST(RunAdvice, ABlockMadeAroundItsSurfaceKeepsTheFloorUnderTheWaysToo) {
+  // Half a pipe that is open upwards: on its ways in and out the blade hangs lower than at any station.
+  Design design = test::designOf(R"json({"bladewright_design": 2,
+    "sources": [{"id": "pipe", "surface": {"type": "formula", "x": [-250, 250], "y": [0, 500],
+                 "formula": "262 - sqrt(262^2 - x^2)"}}],
+    "stock": [{"id": "block"}], "cuts": [{"id": "cut", "direction": "y", "stations": 9}],
+    "blade": {"preset": "nicr-flat-5x1", "length": 900}})json");
+  design.output.programs.clear();
+  const Evaluation e = evaluated(design);
+  EXPECT_EQ(toldOf(e), "");
+  const Box& block = e.cut().block();
+  const Box forStations =
+      standingBelow(e.cut().setup->block, e.cut().sweep.value->poses, e.cut().sweep.request.room.value());
+  EXPECT_GT(block.size.z(), forStations.size.z() + 5) << "else nothing is asked";
+  for (const BladePose& pose : e.cut().ends.value->entry.poses)
+    EXPECT_GE(lowestPlace(block, pose).height, design.process.floor);
+  // It stays so for whoever goes on from there, and under a hand.
+  Outcome again = evaluate(design, &e, {}, Purpose::files);
+  ASSERT_FALSE(again.error);
+  EXPECT_EQ(again.evaluation.cut().sweep.value, e.cut().sweep.value);
+  const auto from = std::make_shared<const Evaluation>(std::move(again.evaluation));
+  Design longer = design;
+  longer.blade.length = 902;
+  const std::optional<Sketch> sketch = Sketcher(from).draw(longer, {});
+  ASSERT_TRUE(sketch);
+  EXPECT_NEAR(sketch->find("cut")->setup->block.size.z(), block.size.z(), 3);
+  // A length that is left open is not refused for it.
+  design.blade.autoLength = true;
+  const Evaluation open = evaluated(design);
+  const Findings findings = open.findings();
+  const ServingLengths* lengths = test::causeOf<ServingLengths>(findings);
+  ASSERT_TRUE(lengths);
+  EXPECT_EQ(lengths->said, ServingLengths::Said::taken) << toldOf(open);
 }
 
 }  // namespace

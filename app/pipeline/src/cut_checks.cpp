@@ -235,13 +235,39 @@ Result<void> checkRow(const CutWork& work) {
   return ok ? seeTheCut(work, work.seconds.check) : ok;
 }
 
+/// The motion of the row, with the ways into it and out of it.
+Result<void> move(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  return work.settle(
+      &CutEvaluation::motion, motionRequest(work.design, work.cut), {e.ends.value, e.way.value},
+      work.seconds.check, [&e](const MotionRequest& request, Findings& findings) {
+        return buildMotion(*e.sweep.value, *e.ends.value, e.way.value->targets, request, findings);
+      });
+}
+
+/// A block that is made around its surface goes on below the ways into the row and out of it, too.
+Result<void> deepen(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  if (!e.sweep.request.room) return {};
+  const Result<double> by = deeperForWays(e, work.context);
+  if (!by) return tl::unexpected<Error>(by.error());
+  if (*by == 0) return {};
+  Sweep deeper = *e.sweep.value;
+  deeper.block.frame.origin -= *by * deeper.block.frame.normal;
+  deeper.block.size.z() += *by;
+  e.sweep.value = std::make_shared<const Sweep>(std::move(deeper));
+  e.certainty.inputs = {e.sweep.value};  // its blades are the same
+  const Result<void> ok = checkRow(work);
+  return ok ? move(work) : ok;
+}
+
 /// How much lower the block would have to reach for ways that come below the floor.
 Result<void> seekLower(const CutWork& work) {
   CutEvaluation& e = work.e;
   const bool low = std::ranges::any_of(e.motion.findings, [](const Finding& finding) {
     return std::holds_alternative<NearBottom>(finding.cause);
   });
-  if (!low || work.tried) return {};
+  if (!low || work.tried || e.sweep.request.room) return {};
   return work.settle(
       &CutEvaluation::lower, {}, {e.motion.value, e.way.value, e.ends.value}, work.seconds.check,
       [&](const NoRequest&, Findings&) { return lowerForWays(e, e.motion.findings, work.context); });
@@ -319,17 +345,13 @@ Result<void> seeRun(const CutWork& work, double& seconds) {
 }
 
 Result<void> check(const CutWork& work) {
-  CutEvaluation& e = work.e;
   Result<void> ok = checkRow(work);
-  if (!ok) return ok;
-  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design, work.cut), {e.ends.value, e.way.value},
-                   work.seconds.check, [&e](const MotionRequest& request, Findings& findings) {
-                     return buildMotion(*e.sweep.value, *e.ends.value, e.way.value->targets, request,
-                                        findings);
-                   });
+  if (ok) ok = move(work);
+  if (ok) ok = deepen(work);
   if (ok) ok = seekLower(work);
   if (ok) ok = confirmTaken(work);
   if (!ok) return ok;
+  CutEvaluation& e = work.e;
   work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
   keepTrades(work);
   if (!e.run.value) return {};

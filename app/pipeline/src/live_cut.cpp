@@ -98,8 +98,16 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
 
 bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   const std::optional<double> room = roomBelow(order.design, order.cut);
+  // As much deeper below its blades as it was for the ways of those.
   const auto standing = [&](const Sweep& row) {
-    return room ? standingBelow(planes_.setup.block, row.poses, *room) : planes_.setup.block;
+    if (!room) return planes_.setup.block;
+    const Sweep& first = *began_.sweep.value;
+    const double ways =
+        first.block.size.z() - standingBelow(began_.setup->block, first.poses, *room).size.z();
+    Box block = standingBelow(planes_.setup.block, row.poses, *room);
+    block.frame.origin -= ways * block.frame.normal;
+    block.size.z() += ways;
+    return block;
   };
   const Box block = standing(sweep_ ? *sweep_ : *began_.sweep.value);
   const PlaneFamily& planes = planes_.setup.planes;

@@ -125,6 +125,31 @@ bool goesOnBelow(const TriangleMesh& surface, const Box& lies) {
   });
 }
 
+Result<double> deeperForWays(const CutEvaluation& cut, const RunContext& context) {
+  Sweep lower = *cut.sweep.value;
+  Findings told = cut.motion.findings;
+  double by = 0;
+  for (int trial = 0; trial <= kTrials; ++trial) {
+    double missing = 0;
+    for (const Finding& finding : told)
+      if (isOnTheWay(finding)) {
+        const auto& low = std::get<NearBottom>(finding.cause);
+        missing = std::max(missing, low.floor - low.height);
+      }
+    if (missing <= 0) return by;
+    const double more = std::ceil(missing);
+    by += more;
+    lower.block.frame.origin -= more * lower.block.frame.normal;
+    lower.block.size.z() += more;
+    told.clear();
+    const Result<EntryExit> ends = planEntryExit(lower, cut.ends.request, context);
+    if (context.stopped()) return stoppedError();
+    if (!ends) break;
+    if (!buildMotion(lower, *ends, cut.way.value->targets, cut.motion.request, told)) break;
+  }
+  return 0;
+}
+
 Result<std::vector<LowerWay>> lowerForWays(const CutEvaluation& cut, const Findings& findings,
                                            const RunContext& context) {
   std::vector<LowerWay> ways;

@@ -29,6 +29,10 @@ bool goesOnBelow(const TriangleMesh& surface, const Box& lies);
 Result<std::vector<LowerWay>> lowerForWays(const CutEvaluation& cut, const Findings& findings,
                                            const RunContext& context);
 
+/// mm by which a block that is made around its surface has to reach lower, so that all these ways keep the
+/// floor, the row being as it is; 0 where they do already, or no size that is tried helps. Error: `cancelled`.
+Result<double> deeperForWays(const CutEvaluation& cut, const RunContext& context);
+
 /// Tells findings of blades that come below the floor what a block that reaches lower comes to. Those of the
 /// cell's home, and all of a cut without a block that is placed, stay as they are.
 void adviseLowerBlock(Findings& findings, const CutEvaluation& cut, const Design& design);
