@@ -55,12 +55,13 @@ int runExport(const Session& session, const ExportOptions& options) {
 /// True if a folder holds what robots run at any depth at which programs lie, or cannot be read as far as
 /// that.
 bool holdsPrograms(const std::filesystem::path& folder) {
+  constexpr int kProgramsDepth = 4;  // results/programs/column-1/strip-0/T_ROB1/file
   std::error_code error;
   for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
        it.increment(error)) {
     const robotio::Dialect* dialect = robotio::dialectOfFile(it->path().string());
     if (dialect && dialect->check) return true;
-    if (it.depth() >= 3) it.disable_recursion_pending();
+    if (it.depth() >= kProgramsDepth) it.disable_recursion_pending();
   }
   return bool(error);
 }

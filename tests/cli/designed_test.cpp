@@ -446,6 +446,16 @@ TEST(Blocks, OfAWallHaveJointsProgramsAndOneSurface) {
   EXPECT_EQ(json::parse(info.out)["faces"], 3);
   EXPECT_EQ(json::parse(info.out)["shells"], 1) << "OpenCASCADE sews them along their boundaries";
   EXPECT_EQ(blade({"check", out}).status, 0);
+  // The rules are asked of the programs in the folders of blocks, too.
+  const std::string module = out + "/programs/column-3/strip-2/T_ROB1/BladeLeft.mod", written = slurp(module);
+  const std::size_t move = written.find("MoveL");
+  ASSERT_NE(move, std::string::npos);
+  std::ofstream(module) << std::string(written).replace(move, 5, "MoveZ");
+  const Finished broken = blade({"check", out});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_NE(broken.out.find("[rapid-"), std::string::npos) << broken.out;
+  EXPECT_NE(broken.out.find("column-3"), std::string::npos) << broken.out;
+  std::ofstream(module) << written;
   // A strip of it is run against its own block; the folder of all is not one program.
   const Finished simulated = blade({"simulate", out + "/programs/column-2/strip-1", "--out", folder / "sim"});
   EXPECT_EQ(simulated.status, 0) << simulated.err;
