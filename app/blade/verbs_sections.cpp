@@ -21,6 +21,7 @@ struct SectionsOptions {
   std::vector<std::string> layers;
   double tolerance = DrawnOptions::kTolerance;  ///< mm
   int points = 0;
+  bool link = false;
 };
 
 /// The place of a word among some; an error names the nearest.
@@ -54,7 +55,27 @@ std::string layersText(const std::vector<pipeline::DrawnLayer>& layers) {
   return text + ", of which --layer takes some";
 }
 
+/// A design follows its drawing as the window has it made, so that one is refused that was made otherwise.
+Result<void> mayLink(const SectionsOptions& options) {
+  const SectionsOptions usual;
+  const char* other = options.file == "-"                    ? "standard input"
+                      : !options.unit.empty()                ? "--unit"
+                      : !options.curves.empty()              ? "--curves"
+                      : options.layers.size() > 1            ? "several --layer"
+                      : options.points != usual.points       ? "--points"
+                      : options.kind != usual.kind           ? "--kind"
+                      : options.tolerance != usual.tolerance ? "--tolerance"
+                                                             : nullptr;
+  if (!options.link || !other) return {};
+  return fail(
+      ErrorCode::badInput,
+      std::string("a design that follows its file (--link) is made of all curves or of one layer, as ") +
+          "the file states them; leave out " + other + ", or --link",
+      "link");
+}
+
 int runSections(const Session& session, const SectionsOptions& options) {
+  if (Result<void> ok = mayLink(options); !ok) return session.complain(ok.error());
   if (Result<void> ok = session.mayWriteDesign(options.out); !ok) return session.complain(ok.error());
   pipeline::DrawnRequest request;
   const Result<int> kind =
@@ -91,6 +112,13 @@ int runSections(const Session& session, const SectionsOptions& options) {
                                : std::string(", the file states no unit; --unit gives another"))
               << "\n";
   const double deviation = drawn->sections.deviation;
+  if (options.link) {
+    const std::optional<std::string> layer =
+        options.layers.empty() ? std::nullopt : std::optional(options.layers.front());
+    std::error_code error;
+    drawn->design.source().drawing = pipeline::linkTo(std::filesystem::absolute(options.file, error),
+                                                      fingerprintOf(*bytes), layer, *drawn);
+  }
   std::cerr << printable(pipeline::drawnText(*drawn, options.file)) << "\n";
   if (const Result<void> ok = session.writeDesign(std::move(drawn->design), options.out); !ok)
     return session.complain(ok.error());
@@ -120,6 +148,8 @@ void addSectionsVerb(CLI::App& app, const Session& session, Work& work) {
   verb->add_option("--layer", options->layers, "Only curves of that layer or name; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  verb->add_flag("--link", options->link,
+                 "The design follows the file: blade design --watch and the window take over its changes");
   verb->footer(
       "Example:\n  blade sections profiles.dxf --layer profiles --out roof.bladewright\n"
       "  blade sections profiles.step --tolerance 0.05 --kind bezier --out roof.bladewright");

@@ -441,8 +441,19 @@ TEST_F(SavedWork, NoticesStayUntilTheyAreAnswered) {
   EXPECT_FALSE(window().saveAs());
   const QString file = QString::fromStdString(path("a.bladewright").string());
   window().questions().saveDesign = [file](const QString&) { return file; };
+  EXPECT_NE(bench().design().name, "a");
   EXPECT_TRUE(window().saveAs());
   EXPECT_FALSE(window().banner().isVisible());
+  // Drawings and reports call it as its file is called, until it is given another name.
+  EXPECT_EQ(bench().design().name, "a");
+  EXPECT_EQ(loadDesign(path("a.bladewright"))->name, "a");
+  EXPECT_FALSE(window().isWindowModified());
+  bench().editDesign("Name", [](Design& design) { design.name = "Roof, north"; });
+  window().questions().saveDesign = [&](const QString&) {
+    return QString::fromStdString(path("b.bladewright").string());
+  };
+  EXPECT_TRUE(window().saveAs());
+  EXPECT_EQ(bench().design().name, "Roof, north");
 }
 
 TEST_F(SavedWork, SurvivesAFullDiskAndALimitOnTheSizeOfFiles) {

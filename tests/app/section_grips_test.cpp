@@ -101,6 +101,28 @@ TEST_F(SectionGripsTest, EscapeGivesItUpAndTheBorderHolds) {
   ASSERT_TRUE(settle());
 }
 
+TEST_F(SectionGripsTest, AStopOnAWayAslantLeavesRoundNumbers) {
+  open("block-wall");
+  constexpr int kPoint = 4 + 1;  // point 2 of section 2
+  const auto point = [this] {
+    return std::get<SectionsSurface>(bench().design().source().surface->shape).sections[1].points[1];
+  };
+  selectStationOf(kPoint);
+  const Eigen::Vector2d before = point();
+  const QPoint from = at(kPoint);
+  ASSERT_FALSE(from.isNull());
+  QTest::mousePress(&section(), Qt::LeftButton, {}, from);
+  move(from + QPoint(90, -140));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return section().grips().stopped; }, kPatience));
+  QTest::qWait(200);
+  QTest::mouseRelease(&section(), Qt::LeftButton, {}, from + QPoint(90, -140));
+  ASSERT_TRUE(settle());
+  const Eigen::Vector2d after = point();
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after.x(), std::round(after.x()));
+  EXPECT_EQ(after.y(), std::round(after.y()));
+}
+
 TEST_F(SectionGripsTest, BetweenRowsThereIsNothingToTakeHoldOf) {
   open("single-block");
   const auto& poses = bench().sweep()->sweep.poses;

@@ -140,6 +140,10 @@ TEST(Designed, AVariableIsVariedOverItsRange) {
   const json report = json::parse(slurp(folder / "alone" + "/report.json"));
   const double deviation = report["summary"]["deviation_max_mm"];
   EXPECT_NEAR(std::stod(lines[2].substr(13)), deviation, 1e-4);
+  // What lies between the targets has a column of its own, before the words.
+  EXPECT_TRUE(lines[0].ends_with("cutting_time_s,way_deviation_max_mm,findings")) << lines[0];
+  const std::string rest = lines[2].substr(0, lines[2].rfind(','));
+  EXPECT_GE(std::stod(rest.substr(rest.rfind(',') + 1)), deviation - 1e-3) << lines[2];
   EXPECT_FALSE(std::filesystem::exists(out + "/programs"));
   // What an earlier run left there of pictures goes, and nothing else.
   folder.write("vary/vary-notes.png", "mine");

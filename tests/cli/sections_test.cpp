@@ -76,6 +76,38 @@ TEST(SectionsFromCurves, BecomeADesignThatIsCut) {
   for (const json& issue : report["issues"]) EXPECT_NE(issue["severity"], "error") << issue;
 }
 
+TEST(SectionsFromCurves, ADesignThatFollowsItsFileTakesOverItsChanges) {
+  const Folder folder;
+  const std::string wide = drawing(polyline(0) + polyline(400) + polyline(800)),
+                    file = folder.write("roof.dxf", wide), design = folder / "made/roof.bladewright";
+  std::filesystem::create_directories(folder / "made");
+  const Finished made = blade({"sections", file, "--link", "--out", design});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json source = json::parse(slurp(design))["sources"][0];
+  EXPECT_EQ(source["drawing"]["path"], "../roof.dxf");
+  const Finished same = blade({"design", design, "--out", folder / "out"});
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_EQ(same.err.find("has changed"), std::string::npos) << same.err;
+  folder.write("roof.dxf", drawing(polyline(0) + polyline(200) + polyline(400) + polyline(800)));
+  const Finished changed = blade({"design", design, "--out", folder / "out"});
+  EXPECT_EQ(changed.status, 0) << changed.err;
+  EXPECT_NE(changed.err.find("the drawing has changed since the design was saved and was read again"),
+            std::string::npos)
+      << changed.err;
+  EXPECT_EQ(surfaceOf(folder / "out/design.bladewright")["sections"].size(), 4u);
+  // What it would not be made as again is refused, and nothing written.
+  for (const std::vector<std::string>& other :
+       std::vector<std::vector<std::string>>{{"--points", "5"}, {"--kind", "ducks"}, {"--unit", "cm"}}) {
+    std::vector<std::string> words = {"sections", file, "--link", "--out", folder / "other.bladewright"};
+    words.insert(words.end(), other.begin(), other.end());
+    const Finished refused = blade(words);
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    EXPECT_NE(refused.err.find("leave out " + other.front() + ", or --link"), std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "other.bladewright"));
+  }
+}
+
 TEST(SectionsFromCurves, OurOwnCurvesAreReadBack) {
   const Folder folder;
   const std::string design = folder / "bump.bladewright", out = folder / "out";

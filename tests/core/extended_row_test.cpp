@@ -161,6 +161,15 @@ TEST(ExtendedRow, ABladeThatLeavesLessThanTheClearanceIsAnErrorThatTellsTheLengt
   const OtherLength* needed = remedyOf<OtherLength>(row.error().remedies);
   ASSERT_TRUE(needed);
   EXPECT_TRUE(extendedRowOf(cylinder(0.4), asking(Extension::surface, needed->length)));
+  // No longer one is advised where none bends as sharply.
+  test::RowSettings stiff = asking(Extension::surface, section + 99);
+  stiff.blade.yieldStress *= 0.5 * stiff.blade.minRadius() / kRadius;
+  ASSERT_GT(stiff.blade.minRadius(), 1.5 * kRadius);
+  const Result<Sweep> none = extendedRowOf(cylinder(0.4), stiff);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("bends sharper than the blade may"), std::string::npos)
+      << none.error().message;
+  EXPECT_FALSE(remedyOf<OtherLength>(none.error().remedies));
 }
 
 TEST(ExtendedRow, TheHeavyBladeHangsBetweenTheSameGrips) {

@@ -76,13 +76,13 @@ Result<void> vary(const Design& design, const VaryRange& range, const RunContext
 std::string varyHead(const std::string& variable) {
   return variable +
          ",status,deviation_max_mm,deviation_mean_mm,within_tolerance_percent,covered_percent,"
-         "min_radius_mm,angle_max_deg,certain,held,lost,unknown,cutting_time_s,findings";
+         "min_radius_mm,angle_max_deg,certain,held,lost,unknown,cutting_time_s,way_deviation_max_mm,findings";
 }
 
 std::string varyLine(const Variation& variation) {
   std::string line = fixedText(variation.value, 6);
   const auto add = [&line](const std::string& text) { line += "," + quoted(text); };
-  constexpr int kNumbers = 11;
+  constexpr int kNumbers = 12;
   if (variation.error) {
     add("failed");
     for (int i = 0; i < kNumbers; ++i) add("");
@@ -100,6 +100,7 @@ std::string varyLine(const Variation& variation) {
   for (const Rest rest : {Rest::certain, Rest::held, Rest::lost, Rest::unknown})
     add(std::to_string(variation.rest[std::size_t(rest)]));
   add(fixedText(variation.all.cuttingTime, 1));
+  add(variation.all.betweenMax ? fixedText(*variation.all.betweenMax, 4) : "");
   add(variation.findings);
   return line;
 }

@@ -62,7 +62,7 @@ Result<ExtendedSection> extendedSection(const Section& section, const FitRequest
   const PlanarCurve& own = section.curve();
   const double length = request.blade.length;
   if (own.length() >= length - 2 * request.clearance)
-    return tl::unexpected<Error>(tooShort(request, stationName(section.index), own.length()));
+    return tl::unexpected<Error>(tooShort(request, own, stationName(section.index), own.length()));
   const Course course = courseOf(section, request.extend, 0.5 * (length - own.length()));
   ClampedProblem grips = pieceOf(*course.curve, course.from, course.to);
   grips.length = length;

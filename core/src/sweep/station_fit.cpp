@@ -123,6 +123,20 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
   return best && (tooTight || best->fit.hausdorff <= allowed) ? std::move(best) : std::nullopt;
 }
 
+/// The smallest radius of a section, mm, a third of which bends sharper than the blade may; none otherwise.
+std::optional<double> mostlySharper(const PlanarCurve& section, const Blade& blade) {
+  constexpr int kPlacesLooked = 129;
+  int sharper = 0;
+  double most = 0;
+  for (int k = 0; k < kPlacesLooked; ++k) {
+    const double bend =
+        std::abs(section.curvature(section.parameterAt(section.length() * k / double(kPlacesLooked - 1))));
+    sharper += bend > blade.maxCurvature();
+    most = std::max(most, bend);
+  }
+  return 3 * sharper > kPlacesLooked ? std::optional(1 / most) : std::nullopt;
+}
+
 }  // namespace
 
 Places::Places(const PlanarCurve& section) : points_(section.sample(kPlaces)), centre_(meanOf(points_)) {}
@@ -197,19 +211,27 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   return StationFit{section, std::move(*best)};
 }
 
-Error tooShort(const FitRequest& request, const std::string& where, double longest) {
-  const std::optional<double> needed = lengthFor(longest, request.clearance);
-  const std::string other = "a smaller block, or another cutting direction";
-  Error error{
-      ErrorCode::badInput,
+Error tooShort(const FitRequest& request, const PlanarCurve& section, const std::string& where,
+               double longest) {
+  const std::string words =
       "the blade of " + shortText(request.blade.length, 5) + " mm " +
-          (longest > request.blade.length ? std::string("is shorter than")
-                                          : "leaves less than the clearance of " +
-                                                shortText(request.clearance, 4) + " mm at both ends of") +
-          " the section of " + where + " (" + shortText(longest, 6) + " mm); choose " +
-          (needed ? "a blade of " + shortText(*needed, 6) + " mm or longer, " + other
-                  : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-      where, request.blade.length, needed ? *needed : Blade::kLongest};
+      (longest > request.blade.length
+           ? std::string("is shorter than")
+           : "leaves less than the clearance of " + shortText(request.clearance, 4) + " mm at both ends of") +
+      " the section of " + where + " (" + shortText(longest, 6) + " mm)";
+  const std::optional<double> needed = lengthFor(longest, request.clearance);
+  if (const std::optional<double> radius = mostlySharper(section, request.blade))
+    return {ErrorCode::badInput,
+            words + ", much of which bends sharper than the blade may (to a radius of " +
+                shortText(*radius, 3) + " mm, the blade to " + shortText(request.blade.minRadius(), 3) +
+                " mm), so that no longer one cuts it; make it gentler, or choose a blade that bends more",
+            where, request.blade.length, needed.value_or(Blade::kLongest)};
+  const std::string other = "a smaller block, or another cutting direction";
+  Error error{ErrorCode::badInput,
+              words + "; choose " +
+                  (needed ? "a blade of " + shortText(*needed, 6) + " mm or longer, " + other
+                          : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
+              where, request.blade.length, needed ? *needed : Blade::kLongest};
   if (needed) error.remedies = {OtherLength{*needed}};
   return error;
 }
@@ -249,7 +271,7 @@ Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour) {
   }
   const double length = sweep.request.blade.length;
   if (const double cut = found->fit.elastica.length(); cut > length)
-    return tl::unexpected<Error>(tooShort(sweep.request, stationName(pose.index), cut));
+    return tl::unexpected<Error>(tooShort(sweep.request, sweep.fits[i].target, stationName(pose.index), cut));
   const Result<Elastica> blade = extendedBlade(found->fit.elastica, length);
   if (!blade) return tl::unexpected<Error>(blade.error());
   pose.cut = found->fit.elastica;

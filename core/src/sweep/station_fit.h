@@ -42,8 +42,9 @@ void hangInto(Sweep& sweep, std::size_t i);
 void compare(const BladePose& pose, const InFoam& foam, StationFit& fit);
 
 /// A section that the blade of the request is too short for: what is `longest` mm needs its clearance
-/// besides.
-[[nodiscard]] Error tooShort(const FitRequest& request, const std::string& where, double longest);
+/// besides. Of one that mostly bends sharper than the blade may no longer blade is advised.
+[[nodiscard]] Error tooShort(const FitRequest& request, const PlanarCurve& section, const std::string& where,
+                             double longest);
 
 /// Calls `find(i, from)` for each station of a row, in two threads: the one with the longest section first,
 /// which tells most of the blade (`from` is empty), and then to both ends, each from its neighbour.

@@ -395,6 +395,8 @@ std::string SurfaceHandles::pullText() const {
       text += "\n" + tr("%1 handles together: %2 mm at most").arg(together).arg(ends.join(", "));
   }
   if (!pull_->stoppedBy.isEmpty()) text += "\n" + tr("Goes no farther: %1").arg(pull_->stoppedBy);
+  if (reach && !reach->knows(pull_->by) && lagsBehind())
+    text += "\n" + tr("The surface is still on its way: how far it may go is being looked at");
   QStringList things;
   for (const Snap& snap : snapped()) things << snap.words;
   if (!things.isEmpty()) text += "\n" + tr("Snapped to %1").arg(things.join(tr(" and ")));
@@ -532,6 +534,7 @@ void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardM
   Eigen::Vector2d wished(0, 0);
   std::array<bool, 2> met = {};
   pull_->to = {};
+  pull_->beyond = false;
   for (const int n : {0, 1}) {
     if (hand[n] == 0) continue;
     // The number, not the way to it, is a round one.
@@ -542,7 +545,10 @@ void SurfaceHandles::drag(const Eigen::Vector2d& by, double pixel, Qt::KeyboardM
       met[std::size_t(n)] = true;
     }
     wished[n] = std::clamp(to - from, -kFarthest, kFarthest);
-    if (wished[n] == to - from) pull_->to[std::size_t(n)] = to;
+    if (wished[n] == to - from)
+      pull_->to[std::size_t(n)] = to;
+    else
+      pull_->beyond = true;
   }
   // As they lie where it comes to lie.
   pull_->snaps.clear();
@@ -587,6 +593,7 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step, bool any
     seek();
   }
   pull_->to = {};
+  pull_->beyond = false;
   pull_->to[number == HandleNumber::height ? 1 : 0] = to;
   pull_->wished = to - pulledFrom();
   pull_->step = step;
@@ -648,6 +655,8 @@ void SurfaceHandles::keepWithin() {
     by = lastBefore(ordered, pulledFrom(), pull_->step);
     why = tr("a point may not overtake its neighbour");
   }
+  if (why.isEmpty() && pull_->beyond)
+    why = tr("one pull goes %1 mm at most; let go, and pull it again").arg(kFarthest);
   const bool other = std::exchange(pull_->stoppedBy, why) != why;
   if (by != pull_->by)
     pull(by, true);
@@ -670,6 +679,13 @@ int SurfaceHandles::movingTogether() const {
   return count;
 }
 
+bool SurfaceHandles::lagsBehind() const {
+  const std::shared_ptr<const pipeline::Sketch> sketch = bench_.runner().sketch();
+  if (!sketch) return true;
+  const auto shown = std::ranges::find(sketch->design.sources, source_, &Source::id);
+  return shown == sketch->design.sources.end() || shown->surface != bench_.source().surface;
+}
+
 double SurfaceHandles::pulledFrom() const {
   const Eigen::Vector2d& along = pull_->along;
   if (along.x() != 0 && along.y() != 0) return 0;
@@ -677,7 +693,13 @@ double SurfaceHandles::pulledFrom() const {
 }
 
 DesignedSurface SurfaceHandles::pulledBy(double by) const {
-  DesignedSurface pulled = movedBy(pull_->base, held(), by * pull_->along, habits_.symmetric);
+  Eigen::Vector2d way = by * pull_->along;
+  // Stopped on a way aslant, both numbers are the last round ones before there.
+  if (by != pull_->wished && pull_->along.x() != 0 && pull_->along.y() != 0)
+    for (std::size_t n = 0; n < kNumbers.size(); ++n)
+      way[Eigen::Index(n)] =
+          lastBefore(way[Eigen::Index(n)], *numberOf(pull_->base, pull_->handle, kNumbers[n]), pull_->step);
+  DesignedSurface pulled = movedBy(pull_->base, held(), way, habits_.symmetric);
   if (by != pull_->wished) return pulled;
   for (std::size_t n = 0; n < kNumbers.size(); ++n)
     if (pull_->to[n]) setNumber(pulled, pull_->handle, kNumbers[n], *pull_->to[n]);
@@ -702,7 +724,7 @@ void SurfaceHandles::drop(bool givenUp) {
   if (!pull_ || !pull_->held) return;
   if (pull_->moved && givenUp) giveUp();
   if (!pull_->moved || givenUp) return endPull();
-  pull_->held = false;
+  pull_->held = pull_->beyond = false;
   pull_->letGoAt = pull_->by;
   // It stays where it is seen to be, not where the hand was, unless it has to go back.
   if (std::exchange(pull_->wished, pull_->by) != pull_->by) pull_->to = {};

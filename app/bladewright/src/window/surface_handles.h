@@ -133,6 +133,7 @@ class SurfaceHandles : public QObject {
     bool moved = false;
     bool around = false;                           ///< where in its plane it may go is sought
     double wished = 0;                             ///< mm, where the hand is
+    bool beyond = false;                           ///< the hand is farther than one pull goes
     std::array<std::optional<double>, 2> to = {};  ///< the numbers there, to their last digit
     double step = 1;                               ///< mm, of the numbers
     double farthest = kFarthest;                   ///< mm, so far its border is sought
@@ -169,6 +170,8 @@ class SurfaceHandles : public QObject {
   int movingTogether() const;
   /// The surface with the handles pulled by so many mm from where they were.
   DesignedSurface pulledBy(double by) const;
+  /// Whether the surface that is shown is another than the handles stand for.
+  bool lagsBehind() const;
   /// The number that is moved alone, where `by` is 0; 0 where both are.
   double pulledFrom() const;
   /// `by`, or as far as the points keep their order.

@@ -71,8 +71,17 @@ bool MainWindow::save() {
 
 bool MainWindow::saveAs() {
   if (bench_.document().empty()) return false;
-  const QString file = questions_.saveDesign(bench_.document().title() + ".bladewright");
-  return !file.isEmpty() && bench_.saveTo(file.toStdString());
+  const QString chosen = questions_.saveDesign(bench_.document().title() + ".bladewright");
+  if (chosen.isEmpty()) return false;
+  // Drawings and reports tell a design by its name: it takes that of its file, unless it was given another.
+  const std::filesystem::path file = chosen.toStdString(), before = bench_.document().file();
+  const std::string name = file.stem().string();
+  const bool follows = before.empty() || bench_.design().name == before.stem().string();
+  const bool renamed = follows && bench_.design().name != name;
+  if (renamed) bench_.editDesign(tr("Name the design"), [&name](Design& design) { design.name = name; });
+  const bool saved = bench_.saveTo(file);
+  if (renamed && !saved) bench_.document().undoStack().undo();
+  return saved;
 }
 
 bool MainWindow::numbersStand() {

@@ -240,7 +240,8 @@ void VaryDialog::add(const pipeline::Variation& variation, const scene::Content&
   }
   const SweepSummary& summary = variation.all.summary;
   put(kResult, variation.good ? tr("within all limits") : tr("exceeds a limit"));
-  put(kDeviation, tr("%1 mm").arg(number(summary.deviationMax)));
+  put(kDeviation,
+      tr("%1 mm").arg(number(std::max(summary.deviationMax, variation.all.betweenMax.value_or(0)))));
   put(kRadius, summary.minRadius > 0 ? tr("%1 mm").arg(number(summary.minRadius)) : tr("straight"));
   put(kAngle, tr("%1°").arg(number(toDegrees(summary.angleMax))));
   put(kRest, QStringLiteral("%1, %2, %3")
