@@ -655,7 +655,7 @@ void SurfaceHandles::keepWithin() {
     by = lastBefore(ordered, pulledFrom(), pull_->step);
     why = tr("a point may not overtake its neighbour");
   }
-  if (why.isEmpty() && pull_->beyond)
+  if (why.isEmpty() && pull_->beyond && reach && reach->knows(pull_->wished))
     why = tr("one pull goes %1 mm at most; let go, and pull it again").arg(kFarthest);
   const bool other = std::exchange(pull_->stoppedBy, why) != why;
   if (by != pull_->by)
