@@ -693,14 +693,16 @@ double SurfaceHandles::pulledFrom() const {
 }
 
 DesignedSurface SurfaceHandles::pulledBy(double by) const {
+  const bool atHand = by == pull_->wished;
   Eigen::Vector2d way = by * pull_->along;
   // Stopped on a way aslant, both numbers are the last round ones before there.
-  if (by != pull_->wished && pull_->along.x() != 0 && pull_->along.y() != 0)
+  const bool aslant = pull_->along.x() != 0 && pull_->along.y() != 0;
+  if (aslant && !(atHand && pull_->to[0] && pull_->to[1]))
     for (std::size_t n = 0; n < kNumbers.size(); ++n)
       way[Eigen::Index(n)] =
           lastBefore(way[Eigen::Index(n)], *numberOf(pull_->base, pull_->handle, kNumbers[n]), pull_->step);
   DesignedSurface pulled = movedBy(pull_->base, held(), way, habits_.symmetric);
-  if (by != pull_->wished) return pulled;
+  if (!atHand) return pulled;
   for (std::size_t n = 0; n < kNumbers.size(); ++n)
     if (pull_->to[n]) setNumber(pulled, pull_->handle, kNumbers[n], *pull_->to[n]);
   return pulled;
