@@ -132,6 +132,26 @@ TEST(Reach, TheReachOfAHandIsFoundBeforeWhatItHoldsIsEvaluated) {
     EXPECT_TRUE(end.bar != Bar::none || std::abs(end.free) == kFarthest) << end.free;
 }
 
+/// Of a hand that rests between its moves each move stops the evaluation of the one before.
+TEST(Reach, IsFoundAlsoWhereAMoveStoppedAnEvaluation) {
+  model::EvaluationRunner runner;
+  runner.evaluate(std::make_shared<const Design>(pulled(0)), false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  const auto around = [](const Eigen::Vector2d& by) { return pulled(by.y()); };
+  for (int move = 1; move <= 6; ++move) {
+    runner.evaluate(std::make_shared<const Design>(pulled(move)), true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return runner.sketch() && runner.sketch()->design == pulled(move); },
+                                kPatience));
+    QTest::qWait(220 + 20 * move);  // its evaluation begins
+    // Sought is what an order that is at work does not look for.
+    runner.evaluate(std::make_shared<const Design>(pulled(move + 0.5)), true);
+    runner.seekReach(pulled, 20);
+    runner.seekRegion(around);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return runner.reach() && runner.region(); }, 20000)) << move;
+    runner.endReach();
+  }
+}
+
 /// Looked at are both ways a little, then the one that is wanted, to its end.
 TEST(Reach, TheWayThatIsWantedIsLookedAtFirst) {
   constexpr double kFarthest = 400;

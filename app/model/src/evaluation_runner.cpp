@@ -137,6 +137,7 @@ void EvaluationRunner::clear() {
     const std::lock_guard lock(mutex_);
     previous_.reset();
     newest_.reset();
+    finished_.reset();
     sketches_ = false;
     ++reachNumber_;
     reachAt_ = {};
@@ -222,6 +223,7 @@ void EvaluationRunner::work(const std::stop_token& stop) {
         if (!error) sketcher_.emplace(evaluation);
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;
+        if (!error || error->code != ErrorCode::cancelled) finished_ = evaluation;
         previous_ = withEarlierStages(*evaluation, previous.get());
         sketches_ = sketches_ || !error;
       } else if (order.needs == Needs::result && (!newest || !newest->result())) {
@@ -313,15 +315,16 @@ void EvaluationRunner::aimReach(double by) {
 }
 
 void EvaluationRunner::takeSearch() {
-  const bool possible = sketches_ && newest_ && newest_->result();
+  // A move of the hand stops the evaluation of the one before, and with it nothing that is known.
+  const bool possible = sketches_ && finished_ && finished_->result();
   if (std::exchange(aroundNumber_, regionNumber_) != regionNumber_) {
     around_.reset();
-    if (regionAt_ && possible) around_.emplace(newest_, regionAt_);
+    if (regionAt_ && possible) around_.emplace(finished_, regionAt_);
   }
   if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
   search_.reset();
   onwardAt_ = std::chrono::steady_clock::now();
-  if (reachAt_ && possible) search_.emplace(newest_, reachAt_, reachFarthest_);
+  if (reachAt_ && possible) search_.emplace(finished_, reachAt_, reachFarthest_);
 }
 
 bool EvaluationRunner::newerWaits() const {
@@ -481,7 +484,7 @@ void EvaluationRunner::thinkAgain(const std::shared_ptr<const pipeline::Evaluati
     const std::lock_guard lock(mutex_);
     added = added && newest_ == now;
     if (added) {
-      newest_ = next;
+      newest_ = finished_ = next;
       previous_ = withEarlierStages(*next, previous_.get());
       QMetaObject::invokeMethod(
           this, [this, now, next] { takeMore(now, next); }, Qt::QueuedConnection);

@@ -161,6 +161,7 @@ class EvaluationRunner : public QObject {
   bool secondThoughts_ = false;                           // what runs adds to a result that is there
   std::shared_ptr<const pipeline::Evaluation> previous_;  // with earlier stages, to be used again
   std::shared_ptr<const pipeline::Evaluation> newest_;    // as it came out
+  std::shared_ptr<const pipeline::Evaluation> finished_;  // the same, but of none that was stopped
 
   std::uint64_t reachNumber_ = 0;  // counts what was sought
   std::function<Design(double)> reachAt_;

@@ -30,7 +30,8 @@ Result<std::vector<LowerWay>> lowerForWays(const CutEvaluation& cut, const Findi
                                            const RunContext& context);
 
 /// mm by which a block that is made around its surface has to reach lower, so that all these ways keep the
-/// floor, the row being as it is; 0 where they do already, or no size that is tried helps. Error: `cancelled`.
+/// floor, the row being as it is; 0 where they do already, or no size that is tried helps. Error:
+/// `cancelled`.
 Result<double> deeperForWays(const CutEvaluation& cut, const RunContext& context);
 
 /// Tells findings of blades that come below the floor what a block that reaches lower comes to. Those of the
