@@ -226,6 +226,10 @@ void EvaluationRunner::work(const std::stop_token& stop) {
         if (!error || error->code != ErrorCode::cancelled) finished_ = evaluation;
         previous_ = withEarlierStages(*evaluation, previous.get());
         sketches_ = sketches_ || !error;
+        // What was sought while there was nothing to go out from is looked for now.
+        constexpr auto kNone = std::uint64_t(-1);
+        if (!error && reachAt_ && !search_) searched_ = kNone;
+        if (!error && regionAt_ && !around_) aroundNumber_ = kNone;
       } else if (order.needs == Needs::result && (!newest || !newest->result())) {
         error = Error{ErrorCode::badInput,
                       "the design has no finished result; mend what stands under Messages first"};
