@@ -147,7 +147,7 @@ TEST(Reach, IsFoundAlsoWhereAMoveStoppedAnEvaluation) {
     runner.evaluate(std::make_shared<const Design>(pulled(move + 0.5)), true);
     runner.seekReach(pulled, 20);
     runner.seekRegion(around);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return runner.reach() && runner.region(); }, 20000)) << move;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return runner.reach() && runner.region(); }, kPatience)) << move;
     runner.endReach();
   }
 }

@@ -312,11 +312,10 @@ std::vector<Eigen::Vector3d> Scene::Impl::workPoints() const {
 Camera Scene::Impl::fit(Camera from, double aspect, std::vector<Eigen::Vector3d> points) const {
   if (points.empty()) points = {Eigen::Vector3d::Constant(-100), Eigen::Vector3d::Constant(100)};
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
-  // Room for the legend, which in a small picture is most of its width.
-  constexpr double kMost = 0.8;
+  // Room for the legend.
   const double margin =
       legendMap && style.legend
-          ? std::min(kMost, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
+          ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
           : 0.0;
   return fitted(from, points, aspect, margin);
 }

@@ -681,9 +681,11 @@ int SurfaceHandles::movingTogether() const {
 
 bool SurfaceHandles::lagsBehind() const {
   const std::shared_ptr<const pipeline::Sketch> sketch = bench_.runner().sketch();
-  if (!sketch) return true;
-  const auto shown = std::ranges::find(sketch->design.sources, source_, &Source::id);
-  return shown == sketch->design.sources.end() || shown->surface != bench_.source().surface;
+  const std::shared_ptr<const pipeline::Evaluation> evaluation = bench_.shown();
+  if (!sketch && !evaluation) return true;
+  const std::vector<Source>& sources = sketch ? sketch->design.sources : evaluation->design.sources;
+  const auto shown = std::ranges::find(sources, source_, &Source::id);
+  return shown == sources.end() || shown->surface != bench_.source().surface;
 }
 
 double SurfaceHandles::pulledFrom() const {
