@@ -56,7 +56,7 @@ std::string packed(const Result<CadCurves>& read) {
   return bytes;
 }
 
-Result<CadCurves> unpacked(std::string_view bytes, const std::string& name) {
+Result<CadCurves> unpackedCurves(std::string_view bytes, const std::string& name) {
   const auto broken = [&] {
     return unreadable(name, "what was read of it is incomplete; the memory may not suffice");
   };
@@ -226,7 +226,7 @@ Result<CadCurves> readCurves(const std::string& bytes, const std::string& name, 
       bytes, name, context,
       [&](std::string_view text, CadFormat format) { return packed(read(text, name, format, options)); });
   if (!back) return tl::unexpected(back.error());
-  return unpacked(*back, name);
+  return unpackedCurves(*back, name);
 }
 
 }  // namespace bw::geometry

@@ -170,7 +170,7 @@ std::string packed(const Result<ReadShape>& read) {
   return bytes;
 }
 
-Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
+Result<ReadShape> unpackedShape(std::string_view bytes, const std::string& name) {
   const auto broken = [&] {
     return unreadable(name, "what was read of it is incomplete; the memory may not suffice");
   };
@@ -290,7 +290,7 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
         return packed(readAndHeal(text, name, format, options));
       });
   if (!back) return tl::unexpected(back.error());
-  return unpacked(*back, name);
+  return unpackedShape(*back, name);
 }
 
 }  // namespace bw::geometry

@@ -28,7 +28,7 @@ constexpr double kSameLine = 1e-7;  // of a range: parameters so near are one
 constexpr double kCovered = 1e-6;   // of a side of the rectangle that borders may leave open or cover twice
 constexpr double kLeastScale = 1e-12;  // mm of a unit of u or v, so that it can be divided by
 constexpr double kSnap = 1e-6;         // of the face's size: ends of borders so near are one corner
-constexpr double kBeside = 1e-4;       // of the face's size: so far from a border its sides are looked at
+constexpr double kBorderStep = 1e-4;   // of the face's size: so far from a border its sides are looked at
 constexpr double kFootStep = 1e-10;    // mm of a step along a border that changes nothing any more
 constexpr double kOnBorder = 1e-7;     // mm from a border that count as on it
 
@@ -217,7 +217,7 @@ void FaceBorders::fillBins() {
 
 void FaceBorders::findInnerSides() {
   // Files whose loops run the wrong way exist: look on which side of each border the face lies.
-  const double step = kBeside * std::min(range_.width() * scale_.x(), range_.height() * scale_.y());
+  const double step = kBorderStep * std::min(range_.width() * scale_.x(), range_.height() * scale_.y());
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     if (k > 0 && segments_[k].trim == segments_[k - 1].trim) continue;
     TrimEdge& trim = trims_[segments_[k].trim];

@@ -18,7 +18,7 @@ constexpr int kStarts = 8;  // Newton starts of a global search at most
 constexpr double kSideRatio =
     1e-3;  // of the distance: a foot leaning more than this over the border has no side
 constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
-constexpr double kBeside = 0.1;     // of a carrier's size: so far its grid may leave it
+constexpr double kGridSlack = 0.1;  // of a carrier's size: so far its grid may leave it
 constexpr double kSewnGap = 0.1;    // mm: tolerances of edges up to this are no gap
 constexpr double kSteepEnd = 0.8;   // of the radius beyond the end of a surface: so far it is bent on
 constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
@@ -123,7 +123,8 @@ class FaceSampler final : public SurfaceSampler {
       look(*target_->faces[std::size_t(neighbour.face)], false);
     for (const Carrier& carrier : target_->carriers) {
       const Eigen::Vector3d over = (carrier.bounds.min - p).cwiseMax(p - carrier.bounds.max).cwiseMax(0.0);
-      if (over.norm() <= foot.distance + kBeside * carrier.bounds.size().norm()) look(*carrier.surface, true);
+      if (over.norm() <= foot.distance + kGridSlack * carrier.bounds.size().norm())
+        look(*carrier.surface, true);
     }
     return nearest;
   }

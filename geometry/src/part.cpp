@@ -65,7 +65,7 @@ constexpr double kAside = 0.01;             // mm that a knife gives way where i
 constexpr double kFilm = 0.1;               // mm, of mean thickness: what no blade leaves of the foam
 constexpr double kReach = 1e-3;             // mm: what reaches so far over a cut is no rounding
 constexpr double kLoosest = 0.05;           // mm, likewise where edges lie off their faces
-constexpr double kBeside = 0.05;            // sine of the angle to a surface below which a point is beside it
+constexpr double kGrazing = 0.05;           // sine of the angle to a surface below which a point is beside it
 constexpr double kDeflection = 1.0 / 2000;  // of the block's diagonal, for display
 
 std::string pointText(const Eigen::Vector3d& p) {
@@ -248,7 +248,7 @@ Result<bool> keptByPlace(const TopoDS_Shape& solid, double sag, const Knife& kni
   }
   if (above > kReach && below > kReach) return bothSides(knife, high);
   if (above > kReach || below > kReach) return above > below;
-  if (!(std::abs(sines) > kBeside) && !points.empty())
+  if (!(std::abs(sines) > kGrazing) && !points.empty())
     return fail(ErrorCode::badInput,
                 "cut \"" + knife.id() + "\" runs beside a piece of what is left of the block, near " +
                     pointText(points.front()) +

@@ -11,9 +11,9 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kSteep = 2;        // mm outward a mm of travel
-constexpr double kLeastStep = 1;    // mm
-constexpr std::size_t kBeside = 3;  // stations that tell how a border goes on
+constexpr double kSteep = 2;             // mm outward a mm of travel
+constexpr double kLeastStep = 1;         // mm
+constexpr std::size_t kEndStations = 3;  // stations that tell how a border goes on
 
 /// The steps of one side of a row.
 class Steps {
@@ -90,7 +90,7 @@ class Steps {
   /// The border beside station k goes on to the end of the row: `onward` to the last one.
   void goOn(std::size_t k, bool onward) {
     std::size_t beside = k;
-    for (std::size_t n = 0; n < kBeside; ++n) {
+    for (std::size_t n = 0; n < kEndStations; ++n) {
       if (onward ? beside == 0 || step(beside - 1) != 0 : beside + 1 == ends_.size() || step(beside) != 0)
         break;
       onward ? --beside : ++beside;

@@ -28,7 +28,7 @@ constexpr double kPromised = 1e-3;      // mm between a section and its spline
 constexpr double kFitTolerance = 5e-4;  // mm between samples of a section and its spline
 constexpr double kSpeck = 0.01;         // mm: a part shorter than this is rounding, not a branch
 constexpr double kSliver = 0.5;         // mm: nor is one that grazes the block's face,
-constexpr double kBeside = 100;         // where another one is so many times as long
+constexpr double kSliverRatio = 100;    // where another one is so many times as long
 constexpr double kBesideBlock = 1e-3;   // mm: what is farther off has left the block by a side
 constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;         // of a section, before it is fitted
@@ -335,7 +335,8 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
   if (slanted() && std::ranges::any_of(parts, comesIn)) std::erase_if(parts, std::not_fn(comesIn));
   double longest = 0;
   for (const Part& part : parts) longest = std::max(longest, part.length);
-  std::erase_if(parts, [&](const Part& part) { return part.length < std::min(kSliver, longest / kBeside); });
+  std::erase_if(parts,
+                [&](const Part& part) { return part.length < std::min(kSliver, longest / kSliverRatio); });
   for (const Part& part : parts) outcome.found += part.length;
   outcome.curves = int(parts.size());
   if (parts.empty()) {

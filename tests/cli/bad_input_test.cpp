@@ -402,7 +402,7 @@ TEST(BadInput, CurvesWithoutLengthOrNumbers) {
 
 TEST(Interrupt, LeavesNothingBehindWheneverItComes) {
   const Folder folder;
-  const std::string job = folder.write("job.json", R"({"stations": 1200, "blade": {"length": 3000}})");
+  const std::string job = folder.write("job.json", R"({"stations": 400, "blade": {"length": 3000}})");
   for (const char* moment : {"reading", "sections", "fitting", "checking", "writing"}) {
     SCOPED_TRACE(moment);
     const Finished run =

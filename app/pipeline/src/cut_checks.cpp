@@ -252,10 +252,9 @@ Result<void> deepen(const CutWork& work) {
   const Result<double> by = deeperForWays(e, work.context);
   if (!by) return tl::unexpected<Error>(by.error());
   if (*by == 0) return {};
-  Sweep deeper = *e.sweep.value;
-  deeper.block.frame.origin -= *by * deeper.block.frame.normal;
-  deeper.block.size.z() += *by;
-  e.sweep.value = std::make_shared<const Sweep>(std::move(deeper));
+  Sweep row = *e.sweep.value;
+  row.block = deeper(row.block, *by);
+  e.sweep.value = std::make_shared<const Sweep>(std::move(row));
   e.certainty.inputs = {e.sweep.value};  // its blades are the same
   const Result<void> ok = checkRow(work);
   return ok ? move(work) : ok;

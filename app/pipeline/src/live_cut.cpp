@@ -104,10 +104,7 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
     const Sweep& first = *began_.sweep.value;
     const double ways =
         first.block.size.z() - standingBelow(began_.setup->block, first.poses, *room).size.z();
-    Box block = standingBelow(planes_.setup.block, row.poses, *room);
-    block.frame.origin -= ways * block.frame.normal;
-    block.size.z() += ways;
-    return block;
+    return deeper(standingBelow(planes_.setup.block, row.poses, *room), ways);
   };
   const Box block = standing(sweep_ ? *sweep_ : *began_.sweep.value);
   const PlaneFamily& planes = planes_.setup.planes;

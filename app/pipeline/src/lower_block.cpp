@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 #include <vector>
+
+#include "bw/core/sweep/lowest_place.h"
 
 namespace bw::pipeline {
 
@@ -80,6 +83,21 @@ bool isBeside(const StationRange& a, const StationRange& b) {
   return a.first <= b.last && b.first <= a.last;
 }
 
+/// What is told of the ways of the cut's row where its block goes on below by so much: none without a way.
+/// Errors: it is stopped.
+Result<std::optional<Findings>> toldOfWays(const CutEvaluation& cut, double by, const RunContext& context) {
+  if (context.stopped()) return stoppedError();
+  Sweep row = *cut.sweep.value;
+  row.block = deeper(row.block, by);
+  const Result<EntryExit> ends = planEntryExit(row, cut.ends.request, context);
+  if (context.stopped()) return stoppedError();
+  if (!ends) return std::optional<Findings>();
+  Findings told;
+  if (!buildMotion(row, *ends, cut.way.value->targets, cut.motion.request, told))
+    return std::optional<Findings>();
+  return std::optional(std::move(told));
+}
+
 }  // namespace
 
 std::optional<Design> withLowerBlock(const Design& design, const std::string& cut, double by) {
@@ -126,7 +144,6 @@ bool goesOnBelow(const TriangleMesh& surface, const Box& lies) {
 }
 
 Result<double> deeperForWays(const CutEvaluation& cut, const RunContext& context) {
-  Sweep lower = *cut.sweep.value;
   Findings told = cut.motion.findings;
   double by = 0;
   for (int trial = 0; trial <= kTrials; ++trial) {
@@ -137,53 +154,40 @@ Result<double> deeperForWays(const CutEvaluation& cut, const RunContext& context
         missing = std::max(missing, low.floor - low.height);
       }
     if (missing <= 0) return by;
-    const double more = std::ceil(missing);
-    by += more;
-    lower.block.frame.origin -= more * lower.block.frame.normal;
-    lower.block.size.z() += more;
-    told.clear();
-    const Result<EntryExit> ends = planEntryExit(lower, cut.ends.request, context);
-    if (context.stopped()) return stoppedError();
-    if (!ends) break;
-    if (!buildMotion(lower, *ends, cut.way.value->targets, cut.motion.request, told)) break;
+    by += std::ceil(missing);
+    Result<std::optional<Findings>> ways = toldOfWays(cut, by, context);
+    if (!ways) return tl::unexpected<Error>(ways.error());
+    if (!*ways) break;
+    told = std::move(**ways);
   }
   return 0;
 }
 
 Result<std::vector<LowerWay>> lowerForWays(const CutEvaluation& cut, const Findings& findings,
                                            const RunContext& context) {
-  std::vector<LowerWay> ways;
+  std::vector<LowerWay> lower;
   for (const Finding& finding : findings) {
     if (!isOnTheWay(finding)) continue;
     const auto& low = std::get<NearBottom>(finding.cause);
     const StationRange range = *finding.where.stations;
-    Sweep lower = *cut.sweep.value;
     double by = 0, height = low.height;
     for (int trial = 0; trial < kTrials; ++trial) {
-      if (context.stopped()) return stoppedError();
-      const double more = std::ceil(low.floor - height);
-      by += more;
-      lower.block.frame.origin -= more * lower.block.frame.normal;
-      lower.block.size.z() += more;
-      const Result<EntryExit> ends = planEntryExit(lower, cut.ends.request, context);
-      if (!ends && context.stopped()) return stoppedError();
-      if (!ends) break;
-      Findings told;
-      const Result<Motion> motion =
-          buildMotion(lower, *ends, cut.way.value->targets, cut.motion.request, told);
-      if (!motion) break;
-      const auto still = std::ranges::find_if(told, [&](const Finding& other) {
+      by += std::ceil(low.floor - height);
+      const Result<std::optional<Findings>> ways = toldOfWays(cut, by, context);
+      if (!ways) return tl::unexpected<Error>(ways.error());
+      if (!*ways) break;
+      const auto still = std::ranges::find_if(**ways, [&](const Finding& other) {
         return isOnTheWay(other) && isBeside(range, *other.where.stations);
       });
-      if (still == told.end()) {
-        ways.push_back({range, by});
+      if (still == (*ways)->end()) {
+        lower.push_back({range, by});
         break;
       }
       height = std::get<NearBottom>(still->cause).height;
       if (height >= low.floor) break;  // it is told for another reason, which no block takes away
     }
   }
-  return ways;
+  return lower;
 }
 
 void adviseLowerBlock(Findings& findings, const CutEvaluation& cut, const Design& design) {

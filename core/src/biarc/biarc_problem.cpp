@@ -39,7 +39,7 @@ constexpr double kStraight = 1e-8;
 /// Makes a bounded unknown stay where it is for one step.
 constexpr double kHold = 1e30;
 /// Work (`WorkMeter`) of a data point's foot, and of a node in the solution for a step.
-constexpr std::int64_t kFootWork = 3, kNodeWork = 50;
+constexpr std::int64_t kFootCost = 3, kNodeCost = 50;
 
 /// Second derivatives of `curvatureSum` of one biarc, from central differences of its gradient.
 BiarcBlock curvatureHessian(const BiarcChain& chain, int biarc, BiarcCurvature kind) {
@@ -86,7 +86,7 @@ bool BiarcProblem::evaluate(State& state, const BiarcTerm& term) const {
   state.value = 0;
   state.largest = 0;
   if (term.distanceWeight > 0) {
-    detail::chargeWork(kFootWork * std::ssize(data_));
+    detail::chargeWork(kFootCost * std::ssize(data_));
     const ArcTree tree(state.chain.arcs(), closed_);
     state.feet.resize(data_.size());
     int seed = 0;
@@ -213,7 +213,7 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
   bool fresh = true, analysed = false, bounded = false;
   const int count = int(start.size());
   while (result.iterations < limits.iterations && !context.stopped() && !detail::workExhausted()) {
-    detail::chargeWork(kNodeWork * count);
+    detail::chargeWork(kNodeCost * count);
     if (term.distanceWeight > 0 && state.largest <= limits.enough) {
       result.converged = true;
       break;

@@ -17,7 +17,7 @@ constexpr double kMet = 1e-12;
 /// A taut blade's far end hangs on the last digits of its start.
 constexpr double kNearlyMet = 1e-8;
 /// A tension beyond this, as √|λ| L, is blamed where the ends are not met.
-constexpr double kTaut = 10;
+constexpr double kTensionBlamed = 10;
 /// A deviation beyond this part of the length is another shape.
 constexpr double kOtherShape = 0.1;
 /// A chain is refined this often, by a factor of two, if the elastica cannot be reached from it.
@@ -98,7 +98,7 @@ Result<AnalyticElastica> analyticElastica(const DiscreteElastica& discrete) {
     chain = *half;
     const double middle = chain.angles[chain.angles.size() / 2];
     const double tension = -chain.force.dot(Vector2d(std::cos(middle), std::sin(middle)));
-    taut = std::sqrt(std::max(tension, 0.0)) * length > kTaut;
+    taut = std::sqrt(std::max(tension, 0.0)) * length > kTensionBlamed;
     if (const Result<Elastica> guess = throughMiddle(chain)) found = ledOnto(*guess, ends);
     if (segments == kMostSegments) break;
   }

@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 constexpr int kPeriodSamples = 128;
 constexpr int kTrials = 64;
 // A Newton step on (3.3) shorter than this (periods) is the last one: its own error is of the second order.
-constexpr double kLastStep = 1e-5;
+constexpr double kLastGuessStep = 1e-5;
 constexpr int kMostSteps = 12;
 // So many peaks of the first search are followed, and none that is lower than the highest by more than this:
 // the lookup is good to about a thousandth.
@@ -114,7 +114,7 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
       if (!(f.second < 0)) break;
       const double next = std::clamp(s0 - f.first / f.second, origin - spacing, origin + spacing);
       const double moved = next - s0;
-      if (std::abs(moved) <= kLastStep * period) {
+      if (std::abs(moved) <= kLastGuessStep * period) {
         s0 = next;
         f.value += moved * (f.first + 0.5 * moved * f.second);
         break;

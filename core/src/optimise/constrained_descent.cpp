@@ -26,7 +26,7 @@ constexpr double kRoundingStep = 1e-7;
 constexpr double kExact = 1e-28;
 // Relative rounding of the objective, and how far it may err for each multiplier and constraint that is only
 // nearly met.
-constexpr double kValueRounding = 1e-12;
+constexpr double kObjectiveRounding = 1e-12;
 constexpr double kRestoredRounding = 8;
 // In place of an objective that cannot be evaluated: above any that makes sense.
 constexpr double kNoValue = 1e3;
@@ -117,7 +117,7 @@ class Descender {
       double valueThere = 0;
       // The constraints hold only to `restored`, which the multipliers carry into the objective.
       const double rounding =
-          kValueRounding * value + kRestoredRounding * limits_.restored * step->multipliers.lpNorm<1>();
+          kObjectiveRounding * value + kRestoredRounding * limits_.restored * step->multipliers.lpNorm<1>();
       const auto tryStep = [&](const std::vector<int>& active) {
         next = out_.v + d;
         const int counted = out_.iterations;

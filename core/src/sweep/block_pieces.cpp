@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kLooks = 256;  // for a change of sides: a blade crosses a boundary once or twice
+constexpr int kCrossingLooks = 256;  // for a change of sides: a blade crosses a boundary once or twice
 
 /// Where `distance` changes its sign between the ends of ascending stretches.
 void addRoots(const std::vector<double>& places, const std::function<double(double)>& distance,
@@ -44,7 +44,7 @@ void addRoots(const std::vector<double>& places, const std::function<double(doub
 
 std::vector<double> evenly(double from, double to) {
   std::vector<double> places;
-  for (int k = 0; k <= kLooks; ++k) places.push_back(from + (to - from) * k / kLooks);
+  for (int k = 0; k <= kCrossingLooks; ++k) places.push_back(from + (to - from) * k / kCrossingLooks);
   return places;
 }
 
@@ -98,9 +98,9 @@ ClampedProblem pieceOf(const PlanarCurve& curve, double from, double to) {
   const double s0 = curve.arcLength(from), s1 = curve.arcLength(to);
   ClampedProblem piece{curve.value(from), curve.value(to), angleAt(from), angleAt(to), s1 - s0};
   double turning = 0, before = *piece.startAngle;
-  for (int k = 1; k <= kLooks; ++k) {
-    const double now =
-        k == kLooks ? *piece.endAngle : angleAt(curve.parameterAt(s0 + (s1 - s0) * k / kLooks));
+  for (int k = 1; k <= kCrossingLooks; ++k) {
+    const double now = k == kCrossingLooks ? *piece.endAngle
+                                           : angleAt(curve.parameterAt(s0 + (s1 - s0) * k / kCrossingLooks));
     turning += std::remainder(now - before, 2 * kPi);
     before = now;
   }

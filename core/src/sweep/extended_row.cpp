@@ -24,8 +24,6 @@ using Eigen::Vector2d;
 
 constexpr double kPeriods = 2;  // of a blade as a whole, at most
 
-Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// Where the blade passes nearest to a place of its plane, from an arc length on.
 double footOn(const BladePose& pose, const Vector2d& place, double arc) {
   constexpr int kSteps = 30;

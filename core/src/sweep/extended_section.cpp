@@ -23,8 +23,6 @@ using Eigen::Vector2d;
 constexpr int kPlaces = 201;        // of all of it
 constexpr double kStraight = 1e-9;  // rad: an arc that turns less is a line
 
-Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// Where an arc of that curvature comes to from the origin, after `length` mm that begin at an angle.
 Vector2d arcEnd(double angle, double curvature, double length) {
   const double turn = curvature * length;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+#include <cmath>
+
 #include "bw/core/base/result.h"
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/elastica/elastica_bvp.h"
@@ -9,6 +12,9 @@
 #include "bw/core/sweep/sweep.h"
 
 namespace bw::sweep {
+
+/// The unit vector at an angle.
+inline Eigen::Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// A section that goes on at both ends by half of what the blade is longer, as the request extends it.
 struct ExtendedSection {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace bw {
 
@@ -32,13 +33,16 @@ LowestPlace lowestPlace(const Box& block, const BladePose& pose) {
   return lowestPlace(block, pose.bladePoints(kLowestPlaces));
 }
 
-Box standingBelow(Box block, std::span<const BladePose> poses, double room) {
-  double least = room;
-  for (const BladePose& pose : poses) least = std::min(least, lowestPlace(block, pose).height);
-  const double by = std::ceil(room - least);
+Box deeper(Box block, double by) {
   block.frame.origin -= by * block.frame.normal;
   block.size.z() += by;
   return block;
+}
+
+Box standingBelow(Box block, std::span<const BladePose> poses, double room) {
+  double least = room;
+  for (const BladePose& pose : poses) least = std::min(least, lowestPlace(block, pose).height);
+  return deeper(std::move(block), std::ceil(room - least));
 }
 
 }  // namespace bw

@@ -109,7 +109,7 @@ class ExpressionParser {
     if (thing.empty()) thing = rest_.substr(0, 1);
     const bool product = expected != kOperand && (isLetter(rest_.front()) || rest_.front() == '(');
     const bool comma = rest_.front() == ',';
-    return refuse(quoted(thing) + " stands where " + expected + (product ? "; products need their *" : "") +
+    return refuse(inQuotes(thing) + " stands where " + expected + (product ? "; products need their *" : "") +
                   (comma ? "; decimals stand after a point" : ""));
   }
 
@@ -220,7 +220,7 @@ class ExpressionParser {
                     whole + "; " + decimals + ")");
     }
     const std::optional<double> value = parseNumber(numeral);
-    if (!value) return refuse(quoted(numeral) + " is too large or too small");
+    if (!value) return refuse(inQuotes(numeral) + " is too large or too small");
     lay(Op::number, at, 0, *value);
     rest_.remove_prefix(end);
     return true;
@@ -235,11 +235,11 @@ class ExpressionParser {
       const std::string nearest = nearestWord(name, known.data(), int(known.size()));
       const std::string others =
           names_.empty() ? "there are no variables" : "the names are " + joined(names_, "and");
-      return refuse("there is no " + quoted(name) + "; " +
-                    (nearest.empty() ? others : "did you mean " + quoted(nearest) + "?"));
+      return refuse("there is no " + inQuotes(name) + "; " +
+                    (nearest.empty() ? others : "did you mean " + inQuotes(nearest) + "?"));
     }
     rest_.remove_prefix(name.size());
-    if (take('(')) return refuseAt(at, quoted(name) + " is a number, no function; products need their *");
+    if (take('(')) return refuseAt(at, inQuotes(name) + " is a number, no function; products need their *");
     lay(Op::name, at, int(found - names_.begin()));
     return true;
   }

@@ -17,7 +17,7 @@ namespace bw {
 
 namespace {
 
-constexpr int kDeepest = 32;            // brackets in brackets
+constexpr int kDeepestBrackets = 32;    // brackets in brackets
 constexpr std::size_t kLongest = 1000;  // bytes of a text
 constexpr int kTidyDigits = 13;         // of a computed value: 0.07 m is 70 mm, not 70.00000000000001
 constexpr double kEqual = 1e-9;         // relative: what counts as whole, or as at a limit
@@ -49,7 +49,7 @@ class Parser {
     if (!rest_.empty()) return refuseRest();
     if (part->hasPi && kind_ == unitKindOf("°")) return refuse("with pi an angle needs its unit, rad or °");
     double value = part->value();
-    if (!std::isfinite(value)) return refuse(quoted(text_) + " has no finite value");
+    if (!std::isfinite(value)) return refuse(inQuotes(text_) + " has no finite value");
     if (part->computed) value = parseNumber(shortText(value, kTidyDigits)).value_or(value);
     return checked(value);
   }
@@ -61,15 +61,15 @@ class Parser {
 
   tl::unexpected<Error> refuseRest() const {
     const std::string word(leadingWord(rest_));
-    if (word.empty()) return refuse(quoted(rest_) + " is not understood");
+    if (word.empty()) return refuse(inQuotes(rest_) + " is not understood");
     const std::vector<std::string> names = typedUnitNames(demand_.unit);
     if (const UnitKind* other = kindOfName(word); names.empty() || !other)
-      return refuse(quoted(word) + " is not understood" +
+      return refuse(inQuotes(word) + " is not understood" +
                     (names.empty() ? "" : "; units here are " + joined(names, "and")));
     else if (other != kind_)
-      return refuse(quoted(word) + " is the unit of " + std::string(other->name) + "; here it is " +
+      return refuse(inQuotes(word) + " is the unit of " + std::string(other->name) + "; here it is " +
                     joined(names, "or"));
-    return refuse(quoted(word) + " stands where no unit can");
+    return refuse(inQuotes(word) + " stands where no unit can");
   }
 
   Result<double> checked(double value) const {
@@ -162,7 +162,7 @@ class Parser {
 
   /// A number, pi, or a bracket, with its unit.
   Result<Part> factor(int depth) {
-    if (depth > kDeepest) return refuse("these are too many brackets");
+    if (depth > kDeepestBrackets) return refuse("these are too many brackets");
     Part part;
     if (take('(')) {
       const Result<Part> inside = sum(depth + 1);
@@ -186,7 +186,7 @@ class Parser {
     skipSpaces();
     const TypedUnit* unit = kind_ ? unitAt(*kind_, rest_) : nullptr;
     if (!unit) return part;
-    if (part.hasUnit) return refuse(quoted(unit->name) + " stands after a bracket that has its unit");
+    if (part.hasUnit) return refuse(inQuotes(unit->name) + " stands after a bracket that has its unit");
     rest_.remove_prefix(unit->name.size());
     part.scale = unit->factor;
     part.offset = unit->offset;
@@ -242,7 +242,7 @@ class ListParser {
   }
 
   tl::unexpected<Error> refuseRest() const {
-    return refuse(quoted(rest_) + " is not understood; write " + thing_ + " numbers such as 0, 3, 5-7");
+    return refuse(inQuotes(rest_) + " is not understood; write " + thing_ + " numbers such as 0, 3, 5-7");
   }
 
   bool skipSpaces() {
@@ -271,7 +271,7 @@ class ListParser {
     rest_ = behind;
     if (*last < *first) {
       const std::string low = std::to_string(*last), high = std::to_string(*first);
-      return refuse(quoted(high + "-" + low) + " runs backwards; write " + low + "-" + high);
+      return refuse(inQuotes(high + "-" + low) + " runs backwards; write " + low + "-" + high);
     }
     for (int i = *first; i <= *last; ++i) add(i);
     return {};

@@ -55,7 +55,7 @@ std::string joinedGroups(std::string_view text, char separator) {
 Result<std::pair<std::string, std::string>> digitsOf(std::string_view numeral, bool exponentFollows) {
   const auto count = [&](char c) { return std::count(numeral.begin(), numeral.end(), c); };
   const auto points = count('.'), commas = count(',');
-  const tl::unexpected<Error> unclear = refuse(quoted(numeral) + " is not one number");
+  const tl::unexpected<Error> unclear = refuse(inQuotes(numeral) + " is not one number");
   char decimal = 0;
   if (points > 0 && commas > 0)
     decimal = numeral.rfind('.') > numeral.rfind(',') ? '.' : ',';
@@ -76,8 +76,8 @@ Result<std::pair<std::string, std::string>> digitsOf(std::string_view numeral, b
     if (digits.empty()) return unclear;
   } else if (decimal == ',' && !exponentFollows && fraction.size() == 3 &&
              joinedGroups(numeral, ',').size() > 0) {
-    return refuse(quoted(numeral) + " can be " + std::string(integer) + "." + std::string(fraction) + " or " +
-                  std::string(integer) + std::string(fraction) + "; write one of these");
+    return refuse(inQuotes(numeral) + " can be " + std::string(integer) + "." + std::string(fraction) +
+                  " or " + std::string(integer) + std::string(fraction) + "; write one of these");
   }
   return std::pair(digits, std::string(fraction));
 }
@@ -110,7 +110,7 @@ std::string plainSigns(std::string_view text) {
   return plain;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   std::size_t size = std::min(text.size(), kQuotedBytes);
   while (size < text.size() && size > 0 && isContinuation(text[size])) --size;
@@ -162,11 +162,11 @@ Result<double> takeNumber(std::string_view& rest) {
   // 3 100/200 may be 3100/200, or three and a half.
   const std::size_t next = after.find_first_not_of(' ');
   if (numeral.find(' ') != std::string_view::npos && next != std::string_view::npos && after[next] == '/')
-    return refuse(quoted(numeral) + " before a / can be one number or two; write it without the space");
+    return refuse(inQuotes(numeral) + " before a / can be one number or two; write it without the space");
   const std::optional<double> value =
       parseNumber((digits->first.empty() ? "0" : digits->first) + "." + digits->second + "0" + exponent);
   if (!value)
-    return refuse(quoted(rest.substr(0, rest.size() - after.size())) + " is too large or too small");
+    return refuse(inQuotes(rest.substr(0, rest.size() - after.size())) + " is too large or too small");
   rest = after;
   return *value;
 }

@@ -16,7 +16,7 @@ namespace bw {
 std::string plainSigns(std::string_view text);
 
 /// What of the text is repeated in a message: shortened, as `printable` shows it, in “quotes”.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// "a, b or c" with the last word between the last two.
 std::string joined(const std::vector<std::string>& words, const char* last);

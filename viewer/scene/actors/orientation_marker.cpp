@@ -25,7 +25,7 @@ namespace bw::scene {
 namespace {
 
 constexpr double kSize = 116;  ///< device-independent pixels, of the square that holds the cube
-constexpr double kMargin = 10;
+constexpr double kCornerMargin = 10;
 constexpr double kReach = 2.15;   ///< half of the square, in half edges of the cube
 constexpr double kBorder = 0.42;  ///< of a half edge: the strips along the edges that stand for oblique views
 constexpr double kAxis = 1.0;     ///< how far the axes reach beyond the cube, in half edges
@@ -103,7 +103,7 @@ OrientationMarker::OrientationMarker(Layers& layers) : renderer_(vtkSmartPointer
 }
 
 PixelRect OrientationMarker::place(int height, double pixelRatio) {
-  const double size = std::round(kSize * pixelRatio), margin = std::round(kMargin * pixelRatio);
+  const double size = std::round(kSize * pixelRatio), margin = std::round(kCornerMargin * pixelRatio);
   return {margin, height - margin - size, size, size};
 }
 

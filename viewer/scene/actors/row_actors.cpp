@@ -19,7 +19,7 @@ constexpr int kTableColors = 2048;
 
 constexpr double kShortest = 0.04;  ///< diagonals: a shorter line carries no value
 constexpr double kLong = 0.6;       ///< diagonals: a longer one carries several
-constexpr double kTextSize = 11, kHeight = 15, kPadding = 4, kAir = 10;  ///< device-independent pixels
+constexpr double kTextSize = 11, kHeight = 15, kLabelPadding = 4, kAir = 10;  ///< device-independent pixels
 constexpr std::size_t kMost = 40;
 
 Eigen::Vector3d pointAt(const Polyline& line, double arc) {
@@ -83,7 +83,7 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
     if (drawn == kMost) break;
     const Eigen::Vector3d pixel = view.toPixel(place.point);
     if (!view.parallel() && pixel.z() <= 0) continue;
-    const double w = canvas_.textWidth(place.text, look) + 2 * kPadding * pixelRatio,
+    const double w = canvas_.textWidth(place.text, look) + 2 * kLabelPadding * pixelRatio,
                  h = kHeight * pixelRatio, air = kAir * pixelRatio;
     const PixelRect box{pixel.x() - 0.5 * w, pixel.y() - 0.5 * h, w, h};
     const PixelRect wide{box.x - air, box.y - air, w + 2 * air, h + 2 * air};

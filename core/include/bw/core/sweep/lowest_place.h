@@ -29,6 +29,8 @@ inline constexpr int kLowestPlaces = 41;
 /// Of the blade in a pose, from grip to grip.
 [[nodiscard]] LowestPlace lowestPlace(const Box& block, const BladePose& pose);
 
+/// The block going on below by so many mm: the face that it lies on is that much lower, all else stays.
+[[nodiscard]] Box deeper(Box block, double by);
 /// The block, where the lowest of these blades comes nearer to the face that it lies on than `room`, in mm,
 /// going on below by so many whole mm that none does.
 [[nodiscard]] Box standingBelow(Box block, std::span<const BladePose> poses, double room);
