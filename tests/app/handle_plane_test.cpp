@@ -170,13 +170,7 @@ TEST_F(HandlePlaneTest, ThePictureDoesWhereItLooksAlongTheTravel) {
   QTest::keyClick(&view(), Qt::Key_Escape);
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
   ASSERT_EQ(bench().design(), before);
-  window().commands()["view.front"]->trigger();
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        const scene::Camera camera = view().camera();
-        return view().resting() && std::abs((camera.focus - camera.position).normalized().y()) > 0.999;
-      },
-      kPatience));
+  ASSERT_TRUE(lookFromFront());
   from = at(kPoint);
   to = view().toWidget(handles().points[kPoint] + Eigen::Vector3d(-40, 0, 20)).toPoint();
   ASSERT_EQ(view().handleAt(from), kPoint);

@@ -15,6 +15,17 @@ class HandlesTest : public WindowTest {
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
   }
+  /// Turns the camera to the front, and waits until it stands: a handle that is pressed before lies
+  /// elsewhere.
+  bool lookFromFront() {
+    window().commands()["view.front"]->trigger();
+    return QTest::qWaitFor(
+        [&] {
+          const scene::Camera camera = view().camera();
+          return view().resting() && std::abs((camera.focus - camera.position).normalized().y()) > 0.999;
+        },
+        kPatience);
+  }
   view::SceneView& view() { return window().sceneView(); }
   const scene::Handles& handles() { return view().sceneStyle().handles; }
   QPoint at(int handle) { return view().toWidget(handles().points[std::size_t(handle)]).toPoint(); }

@@ -328,14 +328,16 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
 
 TEST_F(SurfaceHandlesTest, WhereAPointMayGoInItsPlaneIsShadedAroundIt) {
   open("three-block-wall");
-  window().commands()["view.front"]->trigger();
-  QTest::qWait(500);  // the camera turns
+  ASSERT_TRUE(lookFromFront());
   constexpr int kPoint = 3;
+  const Design before = bench().design();
   const QPoint from = at(kPoint), to = from + QPoint(14, -10);
+  ASSERT_EQ(view().handleAt(from), kPoint);
   QTest::mousePress(&view(), Qt::LeftButton, {}, from);
   EXPECT_TRUE(handles().region.corners.empty()) << "it has not moved";
   QTest::mouseMove(&view(), from + QPoint(8, -6));
   QTest::mouseMove(&view(), to);
+  ASSERT_NE(bench().design(), before) << "the point is in the hand";
   const auto& region = bench().runner().region();
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return region && region->rays.size() == 2 * pipeline::RegionSearch::kLines; }, kPatience));

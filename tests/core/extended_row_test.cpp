@@ -170,6 +170,16 @@ TEST(ExtendedRow, ABladeThatLeavesLessThanTheClearanceIsAnErrorThatTellsTheLengt
   EXPECT_NE(none.error().message.find("bends sharper than the blade may"), std::string::npos)
       << none.error().message;
   EXPECT_FALSE(remedyOf<OtherLength>(none.error().remedies));
+  // One sharp place, far shorter than a third of the section, leaves the advice as it is.
+  const std::vector<Section> crest = test::sectionsOf(3, 100, [](int) {
+    return test::graphCurve(
+        260, [](double x) { return 700 + 10 * std::exp(-x * x / 200); }, 961);
+  });
+  const test::RowSettings asked = asking(Extension::straight, crest[0].curve().length() + 99);
+  ASSERT_GT(asked.blade.minRadius(), 30) << "the crest has a radius of 10 mm";
+  const Result<Sweep> sharp = extendedRowOf(crest, asked);
+  ASSERT_FALSE(sharp);
+  EXPECT_TRUE(remedyOf<OtherLength>(sharp.error().remedies)) << sharp.error().message;
 }
 
 TEST(ExtendedRow, TheHeavyBladeHangsBetweenTheSameGrips) {
