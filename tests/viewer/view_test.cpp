@@ -305,20 +305,22 @@ TEST_F(SceneViewTest, ClickOnAnEdgeOfTheCubeLooksFromThere) {
   EXPECT_TRUE(view.parallel());
 }
 
+/// The sample elsewhere, and of another size.
+bw::scene::Content shifted(const Eigen::Vector3d& by, double scale) {
+  bw::scene::Content content = bw::test::sampleContent();
+  const auto move = [&](Eigen::Vector3d& p) { p = scale * p + by; };
+  for (auto& p : content.first<bw::TriangleMesh>()->points) move(p);
+  for (auto& p : content.first<bw::scene::CutSurface>()->grid.points) move(p);
+  for (auto* lines :
+       {&content.first<bw::scene::Stations>()->lines, &content.first<bw::scene::Blades>()->lines})
+    for (auto& line : *lines)
+      for (auto& p : line) move(p);
+  move(content.first<bw::Box>()->frame.origin);
+  content.first<bw::Box>()->size *= scale;
+  return content;
+}
+
 TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
-  const auto shifted = [](const Eigen::Vector3d& by, double scale) {
-    bw::scene::Content content = bw::test::sampleContent();
-    const auto move = [&](Eigen::Vector3d& p) { p = scale * p + by; };
-    for (auto& p : content.first<bw::TriangleMesh>()->points) move(p);
-    for (auto& p : content.first<bw::scene::CutSurface>()->grid.points) move(p);
-    for (auto* lines :
-         {&content.first<bw::scene::Stations>()->lines, &content.first<bw::scene::Blades>()->lines})
-      for (auto& line : *lines)
-        for (auto& p : line) move(p);
-    move(content.first<bw::Box>()->frame.origin);
-    content.first<bw::Box>()->size *= scale;
-    return content;
-  };
   const auto settle = [&] {
     Camera last = view.camera();
     return QTest::qWaitFor(
@@ -356,6 +358,34 @@ TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
   view.setContent(shifted({0, 0, 10}, 25.5));
   EXPECT_TRUE(settle());
   EXPECT_EQ(view.camera().position, close.position);
+}
+
+TEST_F(SceneViewTest, TheCameraStandsWhileAHandleIsHeld) {
+  Style style = view.sceneStyle();
+  style.handles.points = {stationPoint(8)};
+  view.setStyle(style);
+  const auto place = [&] { return view.toWidget(view.sceneStyle().handles.points.front()); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
+  // Pressed in the middle of a glide.
+  int moves = 0;
+  QObject::connect(&view, &SceneView::cameraChanged, [&] { ++moves; });
+  view.setView(View::front, true);
+  EXPECT_FALSE(view.resting()) << "the camera glides";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return moves > 1; }, kPatience));
+  QPointF at = place();
+  ASSERT_EQ(view.handleAt(at), 0);
+  send(view, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+  ASSERT_TRUE(view.holding());
+  const Camera held = view.camera();
+  QTest::qWait(600);
+  EXPECT_EQ(view.camera().position, held.position) << "the glide ends where the handle was seized";
+  // And what the pull brings out of the picture is not followed before it is let go of.
+  view.setContent(shifted({90000, 0, 0}, 1));
+  QTest::qWait(100);
+  EXPECT_EQ(view.camera().position, held.position);
+  send(view, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
+  EXPECT_FALSE(view.holding());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view.resting() && view.camera().focus.x() > 80000; }, kPatience));
 }
 
 TEST_F(SceneViewTest, FacesAreClickedOnlyWhileTheyAreChosen) {

@@ -60,8 +60,7 @@ CameraMover::CameraMover(scene::Scene& scene, const Viewport& viewport) : scene_
   glide_.setStartValue(0.0);
   glide_.setEndValue(1.0);
   connect(&glide_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-    if (glide_.state() == QAbstractAnimation::Running)
-      take(scene::between(from_, to_, scene::eased(value.toDouble())));
+    if (gliding()) take(scene::between(from_, to_, scene::eased(value.toDouble())));
   });
   // The last step stands exactly where the glide leads.
   connect(&glide_, &QVariantAnimation::finished, this, [this] { take(to_); });
@@ -86,9 +85,7 @@ void CameraMover::moveTo(const scene::Camera& camera, bool glide) {
 
 void CameraMover::stop() { glide_.stop(); }
 
-scene::Camera CameraMover::goal() const {
-  return glide_.state() == QAbstractAnimation::Running ? to_ : scene_.camera();
-}
+scene::Camera CameraMover::goal() const { return gliding() ? to_ : scene_.camera(); }
 
 scene::Pick CameraMover::pick(const QPointF& position) const {
   const double ratio = viewport_.ratio();

@@ -51,6 +51,7 @@ class CameraMover : public QObject {
   void moveTo(const scene::Camera& camera, bool glide);
   /// Ends a glide where it is.
   void stop();
+  bool gliding() const { return glide_.state() == QAbstractAnimation::Running; }
   /// The camera where a running glide leads.
   scene::Camera goal() const;
 

@@ -43,6 +43,7 @@ struct SceneView::Impl {
   bool fitPending = false, everRendered = false;
   std::optional<Eigen::Vector3d> cubeLit;
   int handleLit = -1, held = -1;
+  Bounds heldFrom;                ///< of the work, as a handle was seized
   std::optional<QPointF> cursor;  ///< none while it is elsewhere
 
   // Where the processor does the work of a graphics card, smoothing costs most of a frame: moving pictures go
@@ -58,6 +59,23 @@ struct SceneView::Impl {
 
   /// Has the content changed, and the camera follow where it leaves the picture.
   void change(const std::function<void()>& content);
+
+  /// Has the camera follow content that lay in `before`, but not below a hand.
+  void follow(const Bounds& before) {
+    if (held < 0 && mover.leftPicture(before, scene.workBounds())) self->fitWork(true);
+  }
+
+  void seize(int handle) {
+    held = handle;
+    heldFrom = scene.workBounds();
+    // What is held stays where it was seized: a glide that goes on would carry it away below the hand.
+    mover.stop();
+  }
+
+  void release(bool givenUp) {
+    emit self->handleReleased(std::exchange(held, -1), givenUp);
+    follow(heldFrom);
+  }
 
   /// Asks for a frame of something that may go on moving.
   void redraw() {
@@ -160,7 +178,9 @@ const scene::Content& SceneView::content() const { return impl_->scene.content()
 const scene::Style& SceneView::sceneStyle() const { return impl_->given; }
 scene::Camera SceneView::camera() const { return impl_->scene.camera(); }
 Navigation SceneView::navigation() const { return impl_->input.navigation(); }
-bool SceneView::resting() const { return !impl_->draft && !impl_->restTimer.isActive(); }
+bool SceneView::resting() const {
+  return !impl_->draft && !impl_->restTimer.isActive() && !impl_->mover.gliding();
+}
 bool SceneView::parallel() const { return impl_->mover.goal().parallel; }
 std::optional<std::pair<double, double>> SceneView::legendRange() const { return impl_->scene.legendRange(); }
 scene::Pick SceneView::pickAt(const QPointF& position) const { return impl_->mover.pick(position); }
@@ -218,7 +238,7 @@ void SceneView::Impl::change(const std::function<void()>& content) {
   const bool first = !scene.bounds().valid();
   const Bounds before = scene.workBounds();
   content();
-  if (!first && everRendered && mover.leftPicture(before, scene.workBounds())) self->fitWork(true);
+  if (!first && everRendered) follow(before);
   // The size of the view may not be known yet: the fit waits for the frame.
   if (first && scene.bounds().valid()) fitPending = true;
   redraw();
@@ -347,7 +367,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> SceneView::rayAt(const QPointF& posi
 bool SceneView::holding() const { return impl_->held >= 0; }
 
 void SceneView::letGo() {
-  if (const int held = std::exchange(impl_->held, -1); held >= 0) emit handleReleased(held, true);
+  if (holding()) impl_->release(true);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
@@ -356,7 +376,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   if (impl_->held >= 0) return;
   if (event->button() == Qt::LeftButton && !impl_->cubeAt(position) && !impl_->onLegend(position)) {
     if (const int handle = handleAt(position); handle >= 0) {
-      impl_->held = handle;
+      impl_->seize(handle);
       setFocus(Qt::MouseFocusReason);
       emit handlePressed(handle, position, event->modifiers());
       return;
@@ -376,7 +396,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   impl_->cursor = event->position();
   if (event->button() == Qt::LeftButton && impl_->held >= 0) {
-    emit handleReleased(std::exchange(impl_->held, -1), false);
+    impl_->release(false);
     return;
   }
   impl_->input.release(*event);

@@ -43,7 +43,7 @@ class SceneView : public QOpenGLWidget {
   scene::Camera camera() const;
   Navigation navigation() const;
   bool parallel() const;
-  /// False while the picture is drawn without smoothing because it moves.
+  /// False while the camera glides, or the picture is drawn without smoothing because it moves.
   bool resting() const;
   /// The legend's range in use, if a field is shown.
   std::optional<std::pair<double, double>> legendRange() const;
