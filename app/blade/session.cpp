@@ -135,10 +135,10 @@ Result<void> Session::mayWriteDesign(const std::string& name) const {
 
 Result<void> Session::writeDesign(Design design, const std::string& name) const {
   changeStates(design, [](Design& state) {
-    for (Source& source : state.sources)
+    for (Source& source : state.sources) {
       if (!source.path.empty() && source.bytes.empty()) source.path = std::filesystem::absolute(source.path);
-    for (Source& source : state.sources)
       if (source.drawing) source.drawing->path = std::filesystem::absolute(source.drawing->path);
+    }
   });
   const Interrupt::Commit commit;
   return saveDesign(design, name);

@@ -115,9 +115,7 @@ int runSections(const Session& session, const SectionsOptions& options) {
   if (options.link) {
     const std::optional<std::string> layer =
         options.layers.empty() ? std::nullopt : std::optional(options.layers.front());
-    std::error_code error;
-    drawn->design.source().drawing = pipeline::linkTo(std::filesystem::absolute(options.file, error),
-                                                      fingerprintOf(*bytes), layer, *drawn);
+    drawn->design.source().drawing = pipeline::linkTo(options.file, fingerprintOf(*bytes), layer, *drawn);
   }
   std::cerr << printable(pipeline::drawnText(*drawn, options.file)) << "\n";
   if (const Result<void> ok = session.writeDesign(std::move(drawn->design), options.out); !ok)

@@ -263,8 +263,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   style.marker = pipeline::uncoveredMark(product.evaluation);
   style.playhead = 0.5 * double(product.evaluation.cut().sweep.value->poses.size() - 1);
   scene.setStyle(style);
-  scene.setCamera(
-      scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, double(width) / height));
+  scene.setCamera(scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, {width, height}));
   const Result<scene::Picture> picture = scene.render(width, height);
   if (!picture) return session.complain(picture.error());
   const Result<std::string> png = scene::pngBytes(*picture);

@@ -79,13 +79,9 @@ Result<std::string> pictureOf(const pipeline::Evaluation& e) {
   style[scene::Kind::cut].map = "deviation";
   style.tolerance = e.design.process.tolerance;
   scene.setStyle(style);
-  Result<scene::Picture> picture = scene::Picture{};
-  // What of so small a picture the legend takes is known once one stands.
-  for (int k = 0; k < 2 && picture; ++k) {
-    scene.setCamera(
-        scene.fitFrom(scene::directionOf(scene::View::iso), false, double(kPictureWidth) / kPictureHeight));
-    picture = scene.render(kPictureWidth, kPictureHeight);
-  }
+  scene.setCamera(
+      scene.fitFrom(scene::directionOf(scene::View::iso), false, {kPictureWidth, kPictureHeight}));
+  const Result<scene::Picture> picture = scene.render(kPictureWidth, kPictureHeight);
   return picture ? scene::pngBytes(*picture) : Result<std::string>(tl::unexpected<Error>(picture.error()));
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "occt.h"
+#include "section_findings.h"
 #include "section_row.h"
 #include "tolerances.h"
 

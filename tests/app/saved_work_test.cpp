@@ -430,6 +430,10 @@ TEST_F(SavedWork, NoticesStayUntilTheyAreAnswered) {
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(window().banner().text(), failed);
+  // A save that fails takes nothing from the history either.
+  EXPECT_FALSE(window().saveAs());
+  EXPECT_TRUE(bench().document().undoStack().canRedo());
+  EXPECT_NE(bench().design().name, "a");
   // A new page does not take them either.
   window().showMeasurePage();
   EXPECT_FALSE(window().banner().isVisible());

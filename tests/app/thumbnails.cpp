@@ -23,13 +23,13 @@ int fail(const bw::Error& error) {
 /// The isometric view of the work, but the ramps stand with their hollow side away from it, and of the wavy
 /// wall all is seen, which its block is a small part of.
 bw::scene::Camera cameraFor(const std::string& example, const bw::scene::Scene& scene) {
-  const double aspect = double(kWidth) / kHeight;
-  bw::scene::Camera camera = scene.fitCamera(bw::scene::View::iso, aspect);
-  if (example == "wavy-wall") return scene.fitCamera(camera, aspect);
+  const bw::scene::PictureSize size{kWidth, kHeight};
+  bw::scene::Camera camera = scene.fitCamera(bw::scene::View::iso, size);
+  if (example == "wavy-wall") return scene.fitCamera(camera, size);
   if (example.rfind("ramp", 0) != 0) return camera;
   camera.position =
       camera.focus + (camera.position - camera.focus).norm() * Eigen::Vector3d(-1, -1, 0.9).normalized();
-  return scene.fitCamera(camera, aspect);
+  return scene.fitCamera(camera, size);
 }
 
 }  // namespace

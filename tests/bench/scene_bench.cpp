@@ -55,7 +55,7 @@ Scene choosing(int count) {
   style.chooseFaces = true;
   style.chosenFaces = {0};
   scene.setStyle(style);
-  scene.setCamera(scene.fitCamera(View::iso, double(kWidth) / kHeight));
+  scene.setCamera(scene.fitCamera(View::iso, {kWidth, kHeight}));
   scene.pick(0, 0, kWidth, kHeight);
   return scene;
 }
@@ -103,7 +103,7 @@ bool show(Scene& scene, const test::WallScene& wall, bool isolines) {
   style[Kind::cut].map = "deviation";
   style.isolines = isolines;
   scene.setStyle(style);
-  scene.setCamera(scene.fitCamera(View::iso, double(kWallWidth) / kWallHeight));
+  scene.setCamera(scene.fitCamera(View::iso, {kWallWidth, kWallHeight}));
   if (!scene.render(kWallWidth, kWallHeight)) return false;
   scene.setDraft(true);
   return scene.render(kWallWidth, kWallHeight).has_value();

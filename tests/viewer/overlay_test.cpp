@@ -29,7 +29,7 @@ TEST_F(SceneTest, CubeOffersTwentySixViews) {
   for (const View view :
        {View::iso, View::top, View::front, View::left, View::right, View::back, View::bottom}) {
     for (const double turn : {0.0, 0.4, 1.9, 3.5, 5.0}) {
-      scene.setCamera(orbit(scene.fitCamera(view, double(kWidth) / kHeight), {0, 0, 0}, turn, 0));
+      scene.setCamera(orbit(scene.fitCamera(view, {kWidth, kHeight}), {0, 0, 0}, turn, 0));
       shot("cube-views");
       const PixelRect cube = *scene.overlay().marker;
       for (double y = cube.y; y < cube.y + cube.height; y += 2)
@@ -43,7 +43,7 @@ TEST_F(SceneTest, CubeOffersTwentySixViews) {
   // Each of them gives a level camera that looks from there.
   for (const auto& [x, y, z] : met) {
     const Eigen::Vector3d back = Eigen::Vector3d(x, y, z).normalized();
-    const Camera camera = scene.fitFrom(back, true, 1.5);
+    const Camera camera = scene.fitFrom(back, true, {900, 600});
     EXPECT_TRUE(camera.parallel);
     EXPECT_LT(((camera.position - camera.focus).normalized() - back).norm(), 1e-9);
     EXPECT_NEAR(camera.up.dot(back), 0, 1e-9);

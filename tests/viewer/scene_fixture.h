@@ -54,7 +54,7 @@ class SceneTest : public testing::Test {
   Picture draw(const Style& style, const char* name, View view = View::iso, int width = kWidth,
                int height = kHeight) {
     scene.setStyle(style);
-    scene.setCamera(scene.fitCamera(view, double(width) / height));
+    scene.setCamera(scene.fitCamera(view, {width, height}));
     return shot(name, width, height);
   }
 

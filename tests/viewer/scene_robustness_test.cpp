@@ -173,12 +173,12 @@ TEST_F(SceneTest, StandardViewsFrameTheBlockWithItsBladesInALargeTarget) {
   EXPECT_LT(work.size().norm(), 1500);
   EXPECT_GT(scene.bounds().size().norm(), 60000);
   for (const View view : {View::iso, View::top, View::front, View::right}) {
-    const double height = heightSeen(scene.fitCamera(view, 1000.0 / 640));
+    const double height = heightSeen(scene.fitCamera(view, {1000, 640}));
     EXPECT_LT(height, 2000);
     EXPECT_GT(height, 200);
   }
   // Everything is still to be had.
-  EXPECT_GT(heightSeen(scene.fitCamera(scene.fitCamera(View::top, 1), 1)), 60000);
+  EXPECT_GT(heightSeen(scene.fitCamera(scene.fitCamera(View::top, {900, 900}), {900, 900})), 60000);
   draw(mapped("deviation"), "landscape");
   const Pick middle = scene.pick(0.5 * kWidth, 0.5 * kHeight, kWidth, kHeight);
   EXPECT_TRUE(middle.kind == Pick::Kind::cut || middle.kind == Pick::Kind::station);

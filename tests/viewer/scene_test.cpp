@@ -60,7 +60,7 @@ TEST_F(SceneTest, NoShardOfTheTargetComesThroughTheCut) {
         style[Kind::target].opacity = 1;
         scene.setContent(content);
         scene.setStyle(style);
-        Camera camera = scene.fitCamera(View::iso, double(kWidth) / kHeight);
+        Camera camera = scene.fitCamera(View::iso, {kWidth, kHeight});
         const double distance = c.zoom * (camera.position - camera.focus).norm();
         camera.position = camera.focus + distance * Eigen::Vector3d(0.6, -0.8, lift).normalized();
         camera.up = Eigen::Vector3d::UnitZ();
@@ -139,7 +139,7 @@ TEST_F(SceneTest, PickNamesTheNearestStationOnASurface) {
 
 TEST_F(SceneTest, PickSeesOnlyWhatIsShown) {
   Style style;
-  scene.setCamera(scene.fitCamera(View::top, double(kWidth) / kHeight));
+  scene.setCamera(scene.fitCamera(View::top, {kWidth, kHeight}));
   const auto kinds = [&] {
     scene.setStyle(style);
     std::set<Pick::Kind> result;
@@ -450,17 +450,17 @@ TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   };
   show(false);
   const Bounds without = scene.bounds();
-  const Camera workWithout = scene.fitCamera(View::top, 1);
+  const Camera workWithout = scene.fitCamera(View::top, {900, 900});
   show(true);
   EXPECT_GT(scene.bounds().size().x(), 1.01 * without.size().x()) << "everything leaves it out";
-  EXPECT_NE(scene.fitCamera(View::top, 1).position, workWithout.position);
+  EXPECT_NE(scene.fitCamera(View::top, {900, 900}).position, workWithout.position);
   style[Kind::block].visible = false;
   show(false);
   const Bounds hiddenWithout = scene.bounds();
-  const Camera hiddenWork = scene.fitCamera(View::top, 1);
+  const Camera hiddenWork = scene.fitCamera(View::top, {900, 900});
   show(true);
   EXPECT_EQ(scene.bounds().max, hiddenWithout.max);
-  EXPECT_EQ(scene.fitCamera(View::top, 1).position, hiddenWork.position)
+  EXPECT_EQ(scene.fitCamera(View::top, {900, 900}).position, hiddenWork.position)
       << "room is left for what is not there";
 }
 

@@ -117,7 +117,7 @@ class SectionScene : public testing::Test {
  protected:
   void SetUp() override {
     scene.setContent(test::sampleContent());
-    scene.setCamera(scene.fitCamera(View::iso, 1000.0 / 640));
+    scene.setCamera(scene.fitCamera(View::iso, {1000, 640}));
   }
   Picture draw(const Style& style, const std::string& name) {
     scene.setStyle(style);
@@ -183,7 +183,7 @@ TEST_F(SectionScene, SoftShadowsDarkenHollowsAndNothingElse) {
     }
   }
   scene.setContent(content);
-  scene.setCamera(scene.fitCamera(View::top, 1000.0 / 640));
+  scene.setCamera(scene.fitCamera(View::top, {1000, 640}));
   Style style;
   style.showGrid = style[Kind::station].visible = false;
   style.softShadows = false;

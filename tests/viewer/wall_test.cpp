@@ -54,7 +54,7 @@ void expectReplaced(const Content& first, const Content& others) {
     Scene replaced, whole;
     replaced.setContent(first);
     replaced.setStyle(style);
-    replaced.setCamera(replaced.fitCamera(View::iso, double(kWide) / kHigh));
+    replaced.setCamera(replaced.fitCamera(View::iso, {kWide, kHigh}));
     ASSERT_TRUE(replaced.render(kWide, kHigh));
     replaced.pick(kWide / 2, kHigh / 2, kWide, kHigh);
     replaced.replace(others);
@@ -120,7 +120,7 @@ TEST(WallScene, IsDrawnCoarserOnlyWhileItMoves) {
   style[Kind::cut].map = "deviation";
   style.softShadows = false;
   scene.setStyle(style);
-  scene.setCamera(scene.fitCamera(View::iso, double(kWide) / kHigh));
+  scene.setCamera(scene.fitCamera(View::iso, {kWide, kHigh}));
   const Result<Picture> rest = scene.render(kWide, kHigh);
   scene.setDraft(true);
   const Result<Picture> moving = scene.render(kWide, kHigh);
@@ -145,7 +145,7 @@ TEST(WallScene, ShadowsOfAPictureBeforeAreThoseOfOneFromThere) {
   mapped[Kind::cut].map = "deviation";
   open.section = SectionPlane{{300, 400, 0}, {0, 1, 0}};
   faded[Kind::cut].opacity = 0.5;
-  const Camera iso = scene.fitCamera(View::iso, double(kWide) / kHigh);
+  const Camera iso = scene.fitCamera(View::iso, {kWide, kHigh});
   const Camera turned = orbit(iso, iso.focus, 0.3, 0.1);
   Style moved = open;
   moved.section->point.y() += 150;
@@ -190,7 +190,7 @@ TEST(WallScene, PicturesInMotionShowWhatOneFromThereWould) {
   Scene moved;
   moved.setContent(content);
   moved.setStyle(style);
-  moved.setCamera(moved.fitCamera(View::iso, double(kWide) / kHigh));
+  moved.setCamera(moved.fitCamera(View::iso, {kWide, kHigh}));
   ASSERT_TRUE(moved.render(kWide, kHigh));
   moved.setDraft(true);
   // Values of isolines come into sight and go, and others take their places.

@@ -61,25 +61,26 @@ std::optional<std::pair<double, double>> Scene::legendRange() const {
   return impl_->legendMap->colors.range;
 }
 
-Camera Scene::fitCamera(View view, double aspect, const std::optional<Bounds>& bounds) const {
-  return fitFrom(directionOf(view), impl_->camera.parallel, aspect, bounds);
+Camera Scene::fitCamera(View view, const PictureSize& picture, const std::optional<Bounds>& bounds) const {
+  return fitFrom(directionOf(view), impl_->camera.parallel, picture, bounds);
 }
 
-Camera Scene::fitFrom(const Eigen::Vector3d& back, bool parallel, double aspect,
+Camera Scene::fitFrom(const Eigen::Vector3d& back, bool parallel, const PictureSize& picture,
                       const std::optional<Bounds>& bounds) const {
   Camera camera = lookFrom(back.allFinite() && back.norm() > 0 ? back : directionOf(View::iso));
   camera.viewAngle = impl_->camera.viewAngle;
   camera.parallel = parallel;
-  return impl_->fit(camera, aspect, bounds && bounds->valid() ? cornersOf(*bounds) : impl_->workPoints());
+  return impl_->fit(camera, picture, bounds && bounds->valid() ? cornersOf(*bounds) : impl_->workPoints());
 }
 
-Camera Scene::fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds) const {
+Camera Scene::fitCamera(const Camera& from, const PictureSize& picture,
+                        const std::optional<Bounds>& bounds) const {
   const Bounds wished = bounds && bounds->valid() ? *bounds : this->bounds();
-  return impl_->fit(from, aspect, wished.valid() ? cornersOf(wished) : std::vector<Eigen::Vector3d>{});
+  return impl_->fit(from, picture, wished.valid() ? cornersOf(wished) : std::vector<Eigen::Vector3d>{});
 }
 
-Camera Scene::fitWork(const Camera& from, double aspect) const {
-  return impl_->fit(from, aspect, impl_->workPoints());
+Camera Scene::fitWork(const Camera& from, const PictureSize& picture) const {
+  return impl_->fit(from, picture, impl_->workPoints());
 }
 
 Bounds Scene::bounds() const { return impl_->contentBounds(); }

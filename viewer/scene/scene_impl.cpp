@@ -261,7 +261,6 @@ void Scene::Impl::renderFrame(int width, int height) {
        {&legend_.texts(), &values.texts(), &place_.texts(), &handles_.texts(), &grid_.texts()})
     overlay.texts.insert(overlay.texts.end(), texts->begin(), texts->end());
 
-  lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) window->SetSize(width, height);
   window->SetMultiSamples(draft_ ? 0 : target_->samples());
@@ -309,15 +308,11 @@ std::vector<Eigen::Vector3d> Scene::Impl::workPoints() const {
   return points;
 }
 
-Camera Scene::Impl::fit(Camera from, double aspect, std::vector<Eigen::Vector3d> points) const {
+Camera Scene::Impl::fit(Camera from, const PictureSize& picture, std::vector<Eigen::Vector3d> points) const {
   if (points.empty()) points = {Eigen::Vector3d::Constant(-100), Eigen::Vector3d::Constant(100)};
-  if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
-  // Room for the legend.
-  const double margin =
-      legendMap && style.legend
-          ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
-          : 0.0;
-  return fitted(from, points, aspect, margin);
+  const double width = std::max(1, picture.width), height = std::max(1, picture.height);
+  const double legend = legendMap && style.legend ? Legend::reservedWidth(style.pixelRatio) : 0;
+  return fitted(from, points, width / height, 2 * legend / width);
 }
 
 ScenePicker::Shown Scene::Impl::shown() const {

@@ -40,14 +40,12 @@ struct Scene::Impl {
   Picture readPicture() const;
   /// Pictures in motion go without what costs time: smoothing, soft shadows, fine surfaces.
   void setDraft(bool draft) { draft_ = draft; }
-  /// The width of the pictures to come, for a fit that keeps clear of the legend.
-  void expectWidth(int width) { lastWidth_ = width; }
   Projection projection(int width, int height) const;
   Pick pick(double x, double y, int width, int height) const;
   Bounds contentBounds() const;
   Bounds workBounds() const;
   /// Fits `points`, or a part of empty space if there are none.
-  Camera fit(Camera from, double aspect, std::vector<Eigen::Vector3d> points) const;
+  Camera fit(Camera from, const PictureSize& picture, std::vector<Eigen::Vector3d> points) const;
   /// Points whose convex hull holds what `workBounds` bounds, and follows it more closely.
   std::vector<Eigen::Vector3d> workPoints() const;
 
@@ -85,7 +83,6 @@ struct Scene::Impl {
   std::unique_ptr<RenderTarget> target_;
   Bounds solidBounds_, cutBounds_, bladeBounds_, surfaceBounds_, workBounds_, faceBounds_;
   unsigned contentVersion_ = 0;
-  int lastWidth_ = 0;
   ScenePicker picker_;
 };
 

@@ -31,7 +31,7 @@ class Viewport {
   double ratio() const { return widget_->devicePixelRatioF(); }
   int width() const { return pixels(widget_->width()); }
   int height() const { return pixels(widget_->height()); }
-  double aspect() const { return double(width()) / height(); }
+  scene::PictureSize size() const { return {width(), height()}; }
 
  private:
   int pixels(int length) const { return std::max(1, int(std::lround(length * ratio()))); }

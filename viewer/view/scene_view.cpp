@@ -207,9 +207,8 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio, std::optional<
   impl_->scene.setStyle(style);
   const scene::Camera before = impl_->scene.camera();
   if (view) {
-    inside.expectWidth(pixels.width());
-    impl_->scene.setCamera(impl_->scene.fitFrom(scene::directionOf(*view), true,
-                                                double(pixels.width()) / std::max(1, pixels.height())));
+    impl_->scene.setCamera(
+        impl_->scene.fitFrom(scene::directionOf(*view), true, {pixels.width(), pixels.height()}));
   }
   inside.target()->window()->SetFrameBlitModeToNoBlit();
   inside.setDraft(false);
@@ -218,7 +217,6 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio, std::optional<
   inside.target()->window()->SetFrameBlitModeToBlitToCurrent();
   impl_->applyStyle();
   impl_->scene.setCamera(before);
-  inside.expectWidth(impl_->viewport.width());
   doneCurrent();
   update();
   if (picture.rgb.empty()) return {};
@@ -253,21 +251,21 @@ void SceneView::setStyle(const scene::Style& style) {
 void SceneView::setView(scene::View view, bool animate) { lookFrom(scene::directionOf(view), animate); }
 
 void SceneView::lookFrom(const Eigen::Vector3d& back, bool animate) {
-  impl_->moveTo(impl_->scene.fitFrom(back, true, impl_->viewport.aspect()), animate);
+  impl_->moveTo(impl_->scene.fitFrom(back, true, impl_->viewport.size()), animate);
 }
 
 void SceneView::open() {
-  impl_->moveTo(impl_->scene.fitFrom(scene::directionOf(scene::View::iso), false, impl_->viewport.aspect()),
+  impl_->moveTo(impl_->scene.fitFrom(scene::directionOf(scene::View::iso), false, impl_->viewport.size()),
                 false);
 }
 
 void SceneView::fitWork(bool animate) {
   if (!impl_->scene.workBounds().valid()) return;
-  impl_->moveTo(impl_->scene.fitWork(impl_->mover.goal(), impl_->viewport.aspect()), animate);
+  impl_->moveTo(impl_->scene.fitWork(impl_->mover.goal(), impl_->viewport.size()), animate);
 }
 
 void SceneView::fitAll(bool animate) {
-  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect()), animate);
+  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.size()), animate);
 }
 
 void SceneView::fitBounds(const Bounds& bounds, bool animate) {
@@ -280,7 +278,7 @@ void SceneView::fitBounds(const Bounds& bounds, bool animate) {
     wished.add(bounds.center() - Eigen::Vector3d::Constant(0.5 * least));
     wished.add(bounds.center() + Eigen::Vector3d::Constant(0.5 * least));
   }
-  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect(), wished), animate);
+  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.size(), wished), animate);
 }
 
 void SceneView::setCamera(const scene::Camera& camera, bool animate) { impl_->moveTo(camera, animate); }
@@ -310,10 +308,7 @@ void SceneView::initializeGL() {
   impl_->scene.impl().setTarget(std::make_unique<WidgetTarget>(this));
 }
 
-void SceneView::resizeGL(int, int) {
-  impl_->applyStyle();
-  impl_->scene.impl().expectWidth(impl_->viewport.width());
-}
+void SceneView::resizeGL(int, int) { impl_->applyStyle(); }
 
 void SceneView::paintGL() {
   scene::Scene::Impl& inside = impl_->scene.impl();
@@ -321,7 +316,7 @@ void SceneView::paintGL() {
   if (inside.style.pixelRatio != impl_->viewport.ratio()) impl_->applyStyle();
   if (impl_->fitPending) {
     impl_->fitPending = false;
-    impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->viewport.aspect()));
+    impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->viewport.size()));
     emit cameraChanged();
   }
   inside.setDraft(impl_->draft);

@@ -184,14 +184,16 @@ Result<void> Document::open(const fs::path& file, int* version) {
   return {};
 }
 
-Result<void> Document::saveAs(const fs::path& file) {
+Result<void> Document::saveAs(const fs::path& file, const std::optional<std::string>& name) {
   const std::shared_ptr<Design> stored = marked();
+  if (name) stored->name = *name;
   const Source& source = stored->source();
   if (read_ && read_->first == source.path && source.bytes.empty() && !source.surface)
     stored->source().saved = read_->second;
   else
     noteSources(*stored);
   if (Result<void> saved = saveDesign(*stored, file); !saved) return saved;
+  editDesign(tr("Name the design"), -1, [&stored](Design& design) { design.name = stored->name; });
   const bool noted = stored->source().saved != design_->source().saved;
   stored->marks = {};
   if (noted) design_ = stored;

@@ -284,7 +284,7 @@ Result<void> PictureList::add(scene::View view, bool parallel, const char* name,
   if (context_.stopped()) return stoppedError();
   constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
   const auto [camera, isNew] = cameras_.try_emplace({view, parallel, scene_.legendRange().has_value()});
-  if (isNew) camera->second = scene_.fitFrom(scene::directionOf(view), parallel, double(kWidth) / kHeight);
+  if (isNew) camera->second = scene_.fitFrom(scene::directionOf(view), parallel, {kWidth, kHeight});
   scene_.setCamera(camera->second);
   Result<scene::Picture> picture = scene_.render(kWidth, kHeight);
   if (!picture) return tl::unexpected<Error>(picture.error());

@@ -105,7 +105,7 @@ scene::Scene readyScene() {
   scene::Scene scene;
   scene.setContent(contentOf(run));
   scene.setStyle(styleOf(run, kFromTarget));
-  scene.setCamera(scene.fitFrom(scene::directionOf(scene::View::iso), false, double(kWidth) / kHeight));
+  scene.setCamera(scene.fitFrom(scene::directionOf(scene::View::iso), false, {kWidth, kHeight}));
   // Where this fails so do the pictures, which say why.
   [[maybe_unused]] const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
   return scene;

@@ -177,7 +177,7 @@ Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double as
   const Bounds bounds = boundsOf(points);
   const double air = 0.10, tangent = std::tan(from.viewAngle * kPi / 360);
   const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
-               right = tangent * aspect * std::max(0.2, 1 - air - rightMargin);
+               right = tangent * aspect * std::max(-0.3, 1 - air - rightMargin);
 
   const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
                         1, 1);

@@ -75,13 +75,8 @@ bool MainWindow::saveAs() {
   if (chosen.isEmpty()) return false;
   // Drawings and reports tell a design by its name: it takes that of its file, unless it was given another.
   const std::filesystem::path file = chosen.toStdString(), before = bench_.document().file();
-  const std::string name = file.stem().string();
   const bool follows = before.empty() || bench_.design().name == before.stem().string();
-  const bool renamed = follows && bench_.design().name != name;
-  if (renamed) bench_.editDesign(tr("Name the design"), [&name](Design& design) { design.name = name; });
-  const bool saved = bench_.saveTo(file);
-  if (renamed && !saved) bench_.document().undoStack().undo();
-  return saved;
+  return bench_.saveTo(file, follows ? std::optional(file.stem().string()) : std::nullopt);
 }
 
 bool MainWindow::numbersStand() {

@@ -209,8 +209,8 @@ Result<void> Workbench::recover(const fs::path& copy) {
   return {};
 }
 
-bool Workbench::saveTo(const fs::path& file) {
-  if (Result<void> saved = document_.saveAs(file); !saved) {
+bool Workbench::saveTo(const fs::path& file, const std::optional<std::string>& name) {
+  if (Result<void> saved = document_.saveAs(file, name); !saved) {
     tell(Topic::file, saved.error());
     return false;
   }

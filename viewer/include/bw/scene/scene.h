@@ -224,6 +224,11 @@ struct Pick {
   std::optional<double> value;  ///< of the shown field
 };
 
+/// Of a picture, in pixels; of both sides at least one pixel is meant.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
 /// A rectangle in pixels from the upper left corner of a picture.
 struct PixelRect {
   double x = 0, y = 0, width = 0, height = 0;
@@ -282,16 +287,18 @@ class Scene {
   /// The legend's range in use (after rounding), if a field is shown.
   std::optional<std::pair<double, double>> legendRange() const;
 
-  /// A camera that looks along a standard view and fits the work (or `bounds`) into the aspect ratio.
-  Camera fitCamera(View view, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
+  /// A camera that looks along a standard view and fits the work (or `bounds`) into a picture, beside the
+  /// legend where one is shown.
+  Camera fitCamera(View view, const PictureSize& picture,
+                   const std::optional<Bounds>& bounds = std::nullopt) const;
   /// Looks from the direction `back` (focus to camera, not zero), level, and fits the work (or `bounds`).
-  Camera fitFrom(const Eigen::Vector3d& back, bool parallel, double aspect,
+  Camera fitFrom(const Eigen::Vector3d& back, bool parallel, const PictureSize& picture,
                  const std::optional<Bounds>& bounds = std::nullopt) const;
   /// Fits everything (or `bounds`), keeping the present direction.
-  Camera fitCamera(const Camera& from, double aspect,
+  Camera fitCamera(const Camera& from, const PictureSize& picture,
                    const std::optional<Bounds>& bounds = std::nullopt) const;
   /// Fits the work, keeping the present direction.
-  Camera fitWork(const Camera& from, double aspect) const;
+  Camera fitWork(const Camera& from, const PictureSize& picture) const;
   /// Everything that is shown.
   Bounds bounds() const;
   /// What the picture is about: block, cut surface and whole blades, and the target unless it is far larger

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "bw/core/base/result.h"
 #include "bw/core/design/design.h"
@@ -69,8 +70,9 @@ class Document : public QObject {
   /// Tells which content of a linked source the results were made from: saving records that one rather than
   /// what the file holds by then.
   void noteRead(const std::filesystem::path& source, const Fingerprint& read) { read_ = {source, read}; }
-  /// Saves to `file`, atomically; it becomes the document's file.
-  Result<void> saveAs(const std::filesystem::path& file);
+  /// Saves to `file`, atomically; it becomes the document's file. `name`: the design is called so from then
+  /// on, in a step of its own. On failure nothing changes, the history included.
+  Result<void> saveAs(const std::filesystem::path& file, const std::optional<std::string>& name = {});
 
   /// Makes the picture that is kept beside the copy; called on the interface thread.
   void setPictureMaker(std::function<QImage()> maker) { pictureMaker_ = std::move(maker); }
