@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What stands over the scene or steps in for it: the cube, faces to choose, the place of a finding.
+#include "scene/camera/picking.h"
 #include "scene_fixture.h"
 
 namespace bw::scene {
@@ -22,6 +23,29 @@ TEST_F(SceneTest, CubeTellsItsFaces) {
   EXPECT_EQ(at(x, y - 22), directionOf(View::top));
   EXPECT_EQ(at(x - 19, y + 11), directionOf(View::front));
   EXPECT_EQ(at(x + 19, y + 11), directionOf(View::right));
+}
+
+TEST_F(SceneTest, SmallPicturesKeepTheirSurfaceBesideTheLegend) {
+  for (const PictureSize size : {PictureSize{300, 240}, {400, 300}, {640, 440}, {1600, 900}}) {
+    for (const View view : {View::iso, View::top}) {
+      // The first picture of a scene, too, which nothing was drawn before.
+      Scene fresh;
+      fresh.setContent(test::sampleContent());
+      fresh.setStyle(mapped("deviation"));
+      fresh.setCamera(fresh.fitFrom(directionOf(view), view != View::iso, size));
+      ASSERT_TRUE(fresh.render(size.width, size.height));
+      const Camera eye = fresh.camera();
+      const Projection seen(eye.position, eye.focus, eye.up, eye.viewAngle, eye.parallel, eye.parallelScale,
+                            size.width, size.height);
+      for (const auto& point : fresh.content().first<CutSurface>()->grid.points) {
+        const Eigen::Vector3d pixel = seen.toPixel(point);
+        ASSERT_GT(pixel.x(), 0) << size.width;
+        ASSERT_LT(pixel.x(), fresh.overlay().legend->x) << size.width;
+        ASSERT_GT(pixel.y(), 0) << size.width;
+        ASSERT_LT(pixel.y(), size.height) << size.width;
+      }
+    }
+  }
 }
 
 TEST_F(SceneTest, CubeOffersTwentySixViews) {

@@ -386,6 +386,18 @@ TEST_F(SceneViewTest, TheCameraStandsWhileAHandleIsHeld) {
   send(view, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
   EXPECT_FALSE(view.holding());
   EXPECT_TRUE(QTest::qWaitFor([&] { return view.resting() && view.camera().focus.x() > 80000; }, kPatience));
+  // Nor is what is given up, which comes back to where it was.
+  view.setContent(bw::test::sampleContent());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting() && view.camera().focus.x() < 10000; }, kPatience));
+  at = place();
+  ASSERT_EQ(view.handleAt(at), 0);
+  send(view, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+  const Camera again = view.camera();
+  view.setContent(shifted({90000, 0, 0}, 1));
+  view.letGo();
+  view.setContent(bw::test::sampleContent());
+  QTest::qWait(600);
+  EXPECT_EQ(view.camera().position, again.position);
 }
 
 TEST_F(SceneViewTest, FacesAreClickedOnlyWhileTheyAreChosen) {

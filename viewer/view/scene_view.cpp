@@ -74,7 +74,8 @@ struct SceneView::Impl {
 
   void release(bool givenUp) {
     emit self->handleReleased(std::exchange(held, -1), givenUp);
-    follow(heldFrom);
+    // What is given up comes back to where it was.
+    if (!givenUp) follow(heldFrom);
   }
 
   /// Asks for a frame of something that may go on moving.

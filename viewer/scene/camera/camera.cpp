@@ -175,9 +175,10 @@ std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
 
 Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double aspect, double rightMargin) {
   const Bounds bounds = boundsOf(points);
-  const double air = 0.10, tangent = std::tan(from.viewAngle * kPi / 360);
+  // What a margin leaves at least, where the legend takes most of a small picture: to the left of its middle.
+  const double air = 0.10, kRightmost = -0.3, tangent = std::tan(from.viewAngle * kPi / 360);
   const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
-               right = tangent * aspect * std::max(-0.3, 1 - air - rightMargin);
+               right = tangent * aspect * std::max(kRightmost, 1 - air - rightMargin);
 
   const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
                         1, 1);

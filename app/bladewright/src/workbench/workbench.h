@@ -176,6 +176,7 @@ class Workbench : public QObject {
   Result<void> openExample(const std::string& name);
   /// Goes on with an autosaved copy. Failures become a notice too, and the copy stays.
   Result<void> recover(const std::filesystem::path& copy);
+  /// `Document::saveAs`; false where that failed, which becomes a notice.
   bool saveTo(const std::filesystem::path& file, const std::optional<std::string>& name = {});
 
   /// The CAD file of the open design, embedded ones by the place they came from; empty if that is not known.
