@@ -46,6 +46,26 @@ TEST(Sketch, SaysOfTheStationsWhatTheEvaluationSays) {
   }
 }
 
+TEST(Sketch, StandsWhereTheEvaluationDoesUntilTheHandMoves) {
+  for (const char* name : {"single-block", "twist", "three-block-wall"}) {
+    const Design design = designed(name);
+    const std::shared_ptr<const Evaluation> whole = evaluated(design);
+    Sketcher sketcher(whole);
+    const std::optional<Sketch> sketch = sketcher.draw(design, {});
+    ASSERT_TRUE(sketch) << name;
+    for (const BlockEvaluation& block : whole->blocks)
+      for (const CutEvaluation& cut : block.cuts) {
+        const CutSketch* drawn = sketch->find(cut.id);
+        ASSERT_TRUE(drawn && drawn->sweep->poses.size() == cut.sweep.value->poses.size()) << name;
+        for (std::size_t i = 0; i < drawn->sweep->poses.size(); ++i) {
+          const BladePose &is = drawn->sweep->poses[i], &was = cut.sweep.value->poses[i];
+          EXPECT_EQ(is.leftPoint(), was.leftPoint()) << name << " " << i;
+          EXPECT_EQ(is.rightPoint(), was.rightPoint()) << name << " " << i;
+        }
+      }
+  }
+}
+
 TEST(Sketch, SectionsOfASplineAreThoseThatAreTraced) {
   for (const char* name : {"single-block", "ripple-along", "twist", "bump"}) {
     const Design design = designed(name);

@@ -43,7 +43,20 @@ bool overlap(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
 }  // namespace
 
 LiveCut::LiveCut(const CutEvaluation& cut, std::shared_ptr<const SplineSurface> spline)
-    : began_(cut), planes_(cut.sections.request), sections_(cut.sections.value), spline_(std::move(spline)) {}
+    : cut_(cut),
+      began_(cut.sweep.value),
+      planes_(cut.sections.request),
+      sections_(cut.sections.value),
+      spline_(std::move(spline)) {}
+
+void LiveCut::beginOn(std::vector<Section> sections) {
+  Sweep row = *began_;
+  std::size_t i = 0;
+  for (const Section& section : sections)
+    if (section.chosen >= 0 && i < row.fits.size()) row.fits[i++].target = section.curve();
+  began_ = std::make_shared<const Sweep>(std::move(row));
+  sections_ = std::make_shared<const std::vector<Section>>(std::move(sections));
+}
 
 bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
   Findings unsaid;
@@ -55,21 +68,26 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
   planes.setup = *setup;
   if (!order.cut.direction && !setup->planes.turns())
     planes.setup.planes = PlaneFamily::across(setup->block, planes_.setup.planes.direction());
-  if (planes.sections.byTolerance()) planes.sections.stations = began_.sections.request.sections.stations;
-  const FitRequest& before = began_.sweep.value->request;
+  if (planes.sections.byTolerance()) planes.sections.stations = cut_.sections.request.sections.stations;
+  const FitRequest& before = began_->request;
   Asked asked{fitRequest(order.design, order.cut, setup->block, before.fitEndpoints && before.fitTangents),
               trialCheckRequest(order.design, order.cut), kerfOf(order.design, order.cut, setup->block)};
   planes.beyond = reachBeyond(asked.fit, bladeOf(order.design, order.cut), setup->block);
 
-  // The first time the curves of the spline take the place of the traced ones, before anything is held
-  // against them.
-  const bool moved = spline_ != order.spline, turned = planes != planes_, begins = !asked_;
+  const bool moved = spline_ != order.spline, turned = planes != planes_;
+  const auto curvesOf = [&](const SplineSurface& spline) {
+    return isoSections(spline, *spline_, *sections_, planes.setup.block);
+  };
+  const bool across = spline_ && order.spline && planes.beyond == 0 && !planes.setup.planes.turns();
+  // Before anything is held against them the curves of the spline take the place of the traced ones, to which
+  // they are next to equal: the blades stay on them.
+  if (!asked_ && across && !turned && asked.kerf == Kerf())
+    if (std::optional<std::vector<Section>> own = curvesOf(*spline_)) beginOn(std::move(*own));
   bool stays = look_ && !turned;
-  if (moved || turned || begins) {
+  if (moved || turned) {
     std::optional<std::vector<Section>> sections;
-    if (!turned && !setup->planes.turns() && planes.beyond == 0 && spline_ && order.spline)
-      sections = isoSections(*order.spline, *spline_, *sections_, planes.setup.block);
-    if (!sections && (moved || turned)) {
+    if (across && !turned) sections = curvesOf(*order.spline);
+    if (!sections) {
       Result<std::vector<Section>> traced =
           geometry::cutSections(*order.target, planes.setup, planes.sections, context, unsaid);
       if (!traced) return false;
@@ -78,9 +96,9 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
         return false;
       sections = std::move(*traced);
     }
-    stays = stays && spline_ && order.spline && sections && sameSections(*sections, *sections_) &&
+    stays = stays && spline_ && order.spline && sameSections(*sections, *sections_) &&
             !overlap(changedPart(*spline_, *order.spline), look_->feet);
-    if (sections) sections_ = std::make_shared<const std::vector<Section>>(std::move(*sections));
+    sections_ = std::make_shared<const std::vector<Section>>(std::move(*sections));
     planes_ = planes;
     spline_ = order.spline;
   }
@@ -89,7 +107,7 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
     melted_.reset();
     if (!asked.kerf.table.empty())
       melted_ = std::make_shared<const KerfField>(
-          KerfField::of(*began_.sweep.value, asked.check.cuttingSpeed, asked.kerf.table));
+          KerfField::of(*began_, asked.check.cuttingSpeed, asked.kerf.table));
   }
   asked_ = std::move(asked);
   if (made_) look_.reset();
@@ -101,12 +119,11 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   // As much deeper below its blades as it was for the ways of those.
   const auto standing = [&](const Sweep& row) {
     if (!room) return planes_.setup.block;
-    const Sweep& first = *began_.sweep.value;
-    const double ways =
-        first.block.size.z() - standingBelow(began_.setup->block, first.poses, *room).size.z();
+    const Sweep& first = *began_;
+    const double ways = first.block.size.z() - standingBelow(cut_.setup->block, first.poses, *room).size.z();
     return deeper(standingBelow(planes_.setup.block, row.poses, *room), ways);
   };
-  const Box block = standing(sweep_ ? *sweep_ : *began_.sweep.value);
+  const Box block = standing(sweep_ ? *sweep_ : *began_);
   const PlaneFamily& planes = planes_.setup.planes;
   Findings unsaid;
   // What the middle of the blade is to sweep.
@@ -122,11 +139,11 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   }
 
   // From where the hand began, with what is known there.
-  const Sweep& began = *began_.sweep.value;
+  const Sweep& began = *began_;
   const auto begin = [&] {
     row_ = LiveRow::of(began, context);
     const bool held = began.request.extend != Extension::none;
-    if (row_ || (held && !sketcher_)) sketcher_.emplace(began, *began_.certainty.value, *began_.rest.value);
+    if (row_ || (held && !sketcher_)) sketcher_.emplace(began, *cut_.certainty.value, *cut_.rest.value);
   };
   const auto follows = [&] {
     return row_ && row_->sweep().request == asked_->fit && row_->follow(*sections, block, planes, context);
@@ -184,11 +201,11 @@ int LiveCut::left() const {
   // Of a row that is divided otherwise, only those within it are known.
   const auto leftOf = [&](const Sweep& row) {
     const bool counted =
-        !planes_.sections.spacing && planes_.sections.stations == began_.sections.request.sections.stations;
+        !planes_.sections.spacing && planes_.sections.stations == cut_.sections.request.sections.stations;
     const int within = row.poses.back().index - row.poses.front().index + 1;
     return (counted ? planes_.sections.stations.value_or(within) : within) - int(row.poses.size());
   };
-  return sweep_ ? std::max(0, leftOf(*sweep_) - leftOf(*began_.sweep.value)) : 0;
+  return sweep_ ? std::max(0, leftOf(*sweep_) - leftOf(*began_)) : 0;
 }
 
 }  // namespace bw::pipeline

@@ -57,7 +57,11 @@ class LiveCut {
     bool operator==(const Asked&) const = default;
   };
 
-  CutEvaluation began_;  ///< the cut as it was evaluated
+  /// Has the hand begin with other curves in place of the sections, next to equal to them.
+  void beginOn(std::vector<Section> sections);
+
+  CutEvaluation cut_;                   ///< as it was evaluated
+  std::shared_ptr<const Sweep> began_;  ///< the row then, on the sections with which the hand began
   PlanesRequest planes_;
   std::shared_ptr<const std::vector<Section>> sections_;
   std::shared_ptr<const SplineSurface> spline_;  ///< that they are of; null for a file

@@ -260,7 +260,7 @@ Vector2d PlanarCurve::tangent(double t) const { return data_->tangent(t); }
 double PlanarCurve::length() const { return data_->length; }
 double PlanarCurve::arcLength(double t) const { return data_->arcLength(t); }
 double PlanarCurve::parameterAt(double s) const { return data_->parameterAt(s); }
-const PlanarCurve::Quadrature& PlanarCurve::quadrature() const { return data_->quadrature; }
+const PlanarCurve::Quadrature& PlanarCurve::quadrature() const { return data_->quadrature(); }
 
 double PlanarCurve::curvature(double t) const {
   const Derivatives d = derivatives(t);

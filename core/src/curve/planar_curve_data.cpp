@@ -168,9 +168,16 @@ double PlanarCurve::Data::parameterAt(double s) const {
     const double miss = s - arc;
     if (std::abs(miss) <= 1e-14 * length) break;
     (miss > 0 ? low : high) = t;
-    const double speed = span.speed(t);
-    double target = speed > 0 ? t + miss / speed : 0.5 * (low + high);
-    if (!(target > low && target < high)) target = 0.5 * (low + high);
+    const curve::BezierSpan::Point here = span.at(t);
+    const double square = here.first.squaredNorm();
+    double target = 0.5 * (low + high);
+    if (square > 0) {
+      // Along the osculating parabola of s(t), where that stays in the bracket.
+      const double by = miss / std::sqrt(square);
+      const double bent = t + by * (1 - 0.5 * by * here.first.dot(here.second) / square);
+      for (const double there : {t + by, bent})
+        if (there > low && there < high) target = there;
+    }
     const double moved = std::abs(target - t);
     if (moved <= 1e-15 * h) break;
     // A short step is integrated from where we are; a long one from the start of the cell, where the rule is
@@ -194,7 +201,6 @@ std::shared_ptr<const PlanarCurve::Data> PlanarCurve::Data::make(Kind kind, int 
   data->weights = std::move(weights);
   const bool chain = kind == Kind::points;
   if (!(chain ? data->buildChain() : data->buildSpline())) return nullptr;
-  chain ? data->addChainQuadrature() : data->addSplineQuadrature();
   return data;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <mutex>
 #include <vector>
 
 #include "bw/core/curve/planar_curve.h"
@@ -32,8 +33,6 @@ struct PlanarCurve::Data {
 
   std::vector<double> vertexCurvature;  ///< chains: estimated from the turning angles
 
-  Quadrature quadrature;
-
   std::size_t cellAt(double t) const;
   const curve::BezierSpan& spanAt(double t) const;
   double clamp(double t) const;
@@ -42,6 +41,8 @@ struct PlanarCurve::Data {
   Eigen::Vector2d tangent(double t) const;
   double arcLength(double t) const;
   double parameterAt(double s) const;
+  /// Found when it is first asked for: a curve that follows a hand is never integrated along.
+  const Quadrature& quadrature() const;
 
   /// Fails if the length is zero or not finite.
   static Result<PlanarCurve> makeCurve(Kind kind, int degree, std::vector<double> knots,
@@ -56,16 +57,17 @@ struct PlanarCurve::Data {
                                          std::vector<double>& newWeights) const;
 
  private:
+  mutable std::once_flag once_;
+  mutable Quadrature quadrature_;
+
   bool buildSpline();
   bool buildChain();
   void addCells(int span, double a, double b, double estimate, double tolerance, int depth);
   /// In planar_curve_quadrature.cpp.
-  void addNode(double parameter, double arc, double weight, const Eigen::Vector2d& point,
-               const Eigen::Vector2d& along, double curvature);
-  void addSplineQuadrature();
-  void addChainQuadrature();
-  void addSideQuadrature(std::size_t i);
-  void addBlockQuadrature(std::size_t i, std::size_t last);
+  void addSplineQuadrature(Quadrature& q) const;
+  void addChainQuadrature(Quadrature& q) const;
+  void addSideQuadrature(Quadrature& q, std::size_t i) const;
+  void addBlockQuadrature(Quadrature& q, std::size_t i, std::size_t last) const;
 };
 
 }  // namespace bw

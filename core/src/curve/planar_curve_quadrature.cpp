@@ -38,21 +38,26 @@ struct Moments {
   }
 };
 
-}  // namespace
-
-void PlanarCurve::Data::addNode(double parameter, double arc, double weight, const Vector2d& point,
-                                const Vector2d& along, double curvature) {
-  quadrature.parameter.push_back(parameter);
-  quadrature.arc.push_back(arc);
-  quadrature.weight.push_back(weight);
-  quadrature.point.push_back(point);
-  quadrature.tangent.push_back(along);
-  quadrature.curvature.push_back(curvature);
+void addNode(PlanarCurve::Quadrature& q, double parameter, double arc, double weight, const Vector2d& point,
+             const Vector2d& along, double curvature) {
+  q.parameter.push_back(parameter);
+  q.arc.push_back(arc);
+  q.weight.push_back(weight);
+  q.point.push_back(point);
+  q.tangent.push_back(along);
+  q.curvature.push_back(curvature);
 }
 
-void PlanarCurve::Data::addSplineQuadrature() {
-  Quadrature& q = quadrature;
-  q = {};
+}  // namespace
+
+const PlanarCurve::Quadrature& PlanarCurve::Data::quadrature() const {
+  std::call_once(once_, [this] {
+    kind == Kind::points ? addChainQuadrature(quadrature_) : addSplineQuadrature(quadrature_);
+  });
+  return quadrature_;
+}
+
+void PlanarCurve::Data::addSplineQuadrature(Quadrature& q) const {
   std::size_t cell = 0;
   const detail::GaussRule fine = detail::gaussRule(kCellNodes);
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -95,7 +100,7 @@ void PlanarCurve::Data::addSplineQuadrature() {
           const double bend =
               (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed);
           const double kappa = std::isfinite(bend) ? bend : 0.0;
-          addNode(t, s, w, p.value, speed > 0 ? Vector2d(p.first / speed) : tangent(t), kappa);
+          addNode(q, t, s, w, p.value, speed > 0 ? Vector2d(p.first / speed) : tangent(t), kappa);
           sum.add(w, p.value - origin, w * kappa);
         }
       }
@@ -109,18 +114,18 @@ void PlanarCurve::Data::addSplineQuadrature() {
 
 // One node for the sides i … last − 1: at the middle of their arc length, with the direction of their chord
 // and the mean of their curvature.
-void PlanarCurve::Data::addBlockQuadrature(std::size_t i, std::size_t last) {
+void PlanarCurve::Data::addBlockQuadrature(Quadrature& q, std::size_t i, std::size_t last) const {
   const double arc = cellT[last] - cellT[i];
   const double middle = cellT[i] + 0.5 * arc;
   const Vector2d chord = poles[last] - poles[i];
   double turning = 0;
   for (std::size_t j = i; j < last; ++j)
     turning += 0.5 * (vertexCurvature[j] + vertexCurvature[j + 1]) * (cellT[j + 1] - cellT[j]);
-  addNode(middle, middle, arc, value(middle),
+  addNode(q, middle, middle, arc, value(middle),
           chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle), turning / arc);
 }
 
-void PlanarCurve::Data::addSideQuadrature(std::size_t i) {
+void PlanarCurve::Data::addSideQuadrature(Quadrature& q, std::size_t i) const {
   const double side = cellT[i + 1] - cellT[i];
   const double share = side / length;
   // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
@@ -129,26 +134,25 @@ void PlanarCurve::Data::addSideQuadrature(std::size_t i) {
   const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
   for (int j = 0; j < nodes; ++j) {
     const double x = rule.nodes[j];
-    addNode(cellT[i] + x * side, cellT[i] + x * side, rule.weights[j] * side,
+    addNode(q, cellT[i] + x * side, cellT[i] + x * side, rule.weights[j] * side,
             poles[i] + x * (poles[i + 1] - poles[i]), direction,
             (1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
   }
 }
 
-void PlanarCurve::Data::addChainQuadrature() {
-  quadrature = {};
+void PlanarCurve::Data::addChainQuadrature(Quadrature& q) const {
   const std::size_t sides = poles.size() - 1;
   // Sides shorter than this share a node with their neighbours, until they are as long together.
   const double least = sides > kMostSides ? length / kMostSides : 0;
   const auto isShort = [&](std::size_t i) { return cellT[i + 1] - cellT[i] < least; };
   for (std::size_t i = 0; i < sides;) {
     if (!isShort(i)) {
-      addSideQuadrature(i++);
+      addSideQuadrature(q, i++);
       continue;
     }
     const std::size_t first = i;
     while (i < sides && isShort(i) && cellT[i] - cellT[first] < least) ++i;
-    addBlockQuadrature(first, i);
+    addBlockQuadrature(q, first, i);
   }
 }
 
