@@ -459,6 +459,16 @@ TEST(Findings, InAListStandWithTheirPlace) {
   EXPECT_EQ(sentence(named, Reader::window).substr(0, 20), "cut-tail: the left e");
 }
 
+TEST(Findings, OfRobotsThatCannotHoldTheBladeNameWhatTurnsTheBlock) {
+  const Finding side{Severity::warning, WrongSide{"left", "T_ROB1", "T_ROB2", 900, 600, false}, {}, {}};
+  const Finding reach{Severity::error, HomeOutOfReach{"T_ROB1", "left", 2600, 2500}, {}, {}};
+  for (const Finding& finding : {side, reach}) {
+    EXPECT_NE(sentence(finding, Reader::window).find("turn the block (Turned by)"), std::string::npos);
+    EXPECT_NE(sentence(finding, Reader::commandLine).find("turn the block (\"turn_deg\")"),
+              std::string::npos);
+  }
+}
+
 TEST(Remedies, HaveAnActionWhereTheProgramCanDoThem) {
   EXPECT_EQ(action(OtherLength{812}), "Use a blade of 812 mm");
   EXPECT_EQ(action(BendingBlade{100, "rod", "Rod 1 mm", 90}), "Use Rod 1 mm");

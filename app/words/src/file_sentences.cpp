@@ -195,9 +195,11 @@ std::string Sentences::operator()(const EarlierDesign& cause) const {
 std::string Sentences::operator()(const UnreadableCell& cause) const { return cause.why; }
 
 /// The cell in which robots hold the blade, or what else is to be tried.
-static std::string otherCellText(const Finding& finding, Reader reader, const char* otherwise) {
+static std::string otherCellText(const Finding& finding, Reader reader) {
   const OtherCell* cell = remedyOf<OtherCell>(finding.remedies);
-  if (!cell) return otherwise;
+  if (!cell)
+    return std::string("turn the block (") + (reader == Reader::window ? "Turned by" : "\"turn_deg\"") +
+           ") or the cutting direction, or take a cell whose work object stands otherwise";
   return "take the cell " +
          (reader == Reader::window ? cell->title : "\"" + cell->name + "\" (" + cell->title + ")") +
          ", in which robots hold the blade all along";
@@ -206,9 +208,7 @@ static std::string otherCellText(const Finding& finding, Reader reader, const ch
 std::string Sentences::operator()(const WrongSide& cause) const {
   return "the " + cause.end + " end of the blade lies " + fixedText(cause.distance, 0) +
          " mm from its robot " + cause.robot + " but " + fixedText(cause.otherDistance, 0) + " mm from " +
-         cause.other + "; " +
-         otherCellText(finding, reader,
-                       "turn the block, the cutting direction or the work object of the cell");
+         cause.other + "; " + otherCellText(finding, reader);
 }
 
 std::string Sentences::operator()(const HomeUnknown& cause) const {
@@ -225,10 +225,7 @@ std::string Sentences::operator()(const HomeOutOfReach& cause) const {
               ? "its wrist would be " + fixedText(cause.distance, 0) + " mm from its shoulder (reach " +
                     fixedText(cause.reach, 0) + " mm)"
               : "no joint angles within its ranges turn its grip so") +
-         "; " +
-         otherCellText(finding, reader,
-                       "turn the cutting direction, or take a cell in which the block stands otherwise (its "
-                       "work object)");
+         "; " + otherCellText(finding, reader);
 }
 
 std::string Sentences::operator()(const ProgramDespiteErrors& cause) const {

@@ -17,10 +17,6 @@ constexpr double kFieldStep = 1;   // mm
 constexpr double kClick = 4;       // pixels that a click may go
 constexpr double kFarthest = 1e7;  // mm
 
-const DesignedSurface* surfaceOf(const Workbench& bench) {
-  return bench.source().surface ? &*bench.source().surface : nullptr;
-}
-
 }  // namespace
 
 HandleKeys::HandleKeys(Workbench& bench, view::SceneView* view, SurfaceHandles& handles)

@@ -101,6 +101,37 @@ KeyBlade& keyBladeOf(DesignedSurface& surface, int handle) {
 
 }  // namespace
 
+const DesignedSurface* surfaceOf(const Workbench& bench) {
+  return bench.source().surface ? &*bench.source().surface : nullptr;
+}
+
+std::vector<Eigen::Vector3d> placesOf(const DesignedSurface& surface) {
+  std::vector<Eigen::Vector3d> places;
+  const Eigen::Matrix3d turned = rotationFromAngles(surface.rotation);
+  const auto add = [&](double x, double y, double z) {
+    places.push_back(surface.origin + turned * Eigen::Vector3d(x, y, z));
+  };
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+    for (int row = 0; row < poles->rows; ++row)
+      for (int column = 0; column < poles->columns; ++column) {
+        const SurfacePole& pole = poles->at(row, column);
+        const Eigen::Vector2d place = poles->place(row, column) + pole.moved;
+        add(place.x(), place.y(), pole.height);
+      }
+  } else if (const auto* sections = std::get_if<SectionsSurface>(&surface.shape)) {
+    for (const SectionCurve& section : sections->sections)
+      for (const Eigen::Vector2d& point : section.points) add(point.x(), section.y, point.y());
+  } else if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
+    for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
+    for (const KeyBlade& blade : blades->blades)
+      for (const Eigen::Vector2d& end : endsOf(blade)) {
+        const Eigen::Vector3d place = blade.placed(end);
+        add(place.x(), place.y(), place.z());
+      }
+  }
+  return places;
+}
+
 std::optional<double> numberOf(const DesignedSurface& surface, int handle, HandleNumber number) {
   DesignedSurface copy = surface;
   if (const std::optional<int> end = endOf(surface, handle))

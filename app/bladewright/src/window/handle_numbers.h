@@ -19,6 +19,11 @@ namespace bw::app {
 /// all middles, left and right of each.
 enum class HandleNumber { across, height };
 
+/// The designed surface at work; null where that is a file's.
+const DesignedSurface* surfaceOf(const Workbench& bench);
+/// Where its handles lie, mm in the file's frame.
+std::vector<Eigen::Vector3d> placesOf(const DesignedSurface& surface);
+
 /// The number of a handle; nothing if it has none.
 std::optional<double> numberOf(const DesignedSurface& surface, int handle, HandleNumber number);
 
