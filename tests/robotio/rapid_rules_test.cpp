@@ -146,6 +146,7 @@ std::vector<Mutation> mutations() {
       change("rapid-rule-12", kLeft, "\\ID:=40,vCut", "\\ID:=40,v20"),
       // 13: zones, short moves, standstill
       changeBoth("rapid-rule-13", "8.3750,z1", "8.3750,z100"),
+      changeBoth("rapid-rule-13", "\\ID:=40,vCut\\T:=8.3750,z1", "\\ID:=40,vCut\\T:=8.3750,fine"),
       changeBoth("rapid-rule-13", "\\ID:=40,vCut\\T:=8.3750", "\\ID:=40,vCut\\T:=0.0400"),
       changeBoth("rapid-rule-13", "MoveL p0003", "MoveL p0002"),
       // 14: tools, work objects, heat

@@ -214,6 +214,24 @@ class TaskComparer {
                            quoted(moves[0][i]->statement->name) +
                            " coincide in all tasks; the hot blade would stand still");
     }
+    checkStops(moves[0]);
+  }
+
+  /// Rule 13: robots stop at a fine point, which is for the ways to the first target and from the last one.
+  void checkStops(const std::vector<const Step*>& moves) {
+    constexpr std::size_t kWay = 2;  // moves of each
+    const Step* first = nullptr;
+    int stops = 0;
+    for (std::size_t i = kWay; i + kWay < moves.size(); ++i) {
+      if (moves[i]->zone >= 0) continue;
+      if (stops++ == 0) first = moves[i];
+    }
+    if (first)
+      breaches_.rule(13, *first,
+                     std::to_string(stops) + (stops == 1 ? " move ends" : " moves end") +
+                         " in fine on the way of the cut (the first at " + quoted(first->statement->name) +
+                         "): the hot blade stops there; give them the zone of their neighbours",
+                     Severity::warning);
   }
 
   /// Rule 14: one task switches the heat.
