@@ -35,6 +35,10 @@ int runMoulds(const Session& session, const MouldsOptions& options) {
   session.endProgress();
   std::cerr << counted(design->stock.size() - opened->stock.size(), "upper mould") << " for "
             << counted(opened->stock.size(), "block") << "\n";
+  if (const int lost = pipeline::gridExpressions(*opened); lost > 0)
+    std::cerr << "warning: the blocks lie in no grid any more: " << counted(std::size_t(lost), "number")
+              << " of it that expressions told " << (lost == 1 ? "stands" : "stand")
+              << " as computed; make the moulds anew when a variable changes\n";
   const Result<void> ok = session.writeDesign(std::move(*design), options.out);
   return ok ? int(kDone) : session.complain(ok.error());
 }

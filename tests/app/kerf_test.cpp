@@ -157,6 +157,23 @@ TEST(KerfOfADesign, TwoMouldsLeaveAPanelBetweenThem) {
   EXPECT_NE(withUpperMoulds(crossing, 30).error().message.find("has 2 cuts"), std::string::npos);
 }
 
+TEST(KerfOfADesign, MouldsHangOnTheExpressionsOfTheirBlocks) {
+  Design design = designed("bump", 2);
+  design.bindings["/stock/0/block/size/0"] = {"600", design.block().placement->size.x()};
+  design.bindings["/cuts/0/stations"] = {"33", double(*design.cut().sections.stations)};
+  const Design pair = withUpperMoulds(evaluated(design), 30).value();
+  for (const char* place :
+       {"/stock/0/block/size/0", "/stock/1/block/size/0", "/cuts/0/stations", "/cuts/1/stations"})
+    EXPECT_TRUE(pair.bindings.contains(place)) << place;
+  EXPECT_EQ(gridExpressions(pair), 0);
+  // Blocks of a grid are listed, and their sizes are numbers.
+  design = designed("three-block-wall", 2);
+  const std::size_t known = design.bindings.size();
+  design.bindings["/grid/sizes/columns"] = {"600", design.grid.value().sizes[0][0]};
+  EXPECT_EQ(gridExpressions(design), 1);
+  EXPECT_LE(withUpperMoulds(evaluated(design), 30).value().bindings.size(), known);
+}
+
 TEST(KerfOfADesign, LeavesThePartThatIsAskedFor) {
   std::vector<double> volumes;
   for (const double kerf : {0.0, kKerf}) {

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bw/core/text/number_text.h"
 
@@ -13,6 +17,19 @@ namespace bw::pipeline {
 namespace {
 
 constexpr const char* kUpper = "-upper";
+constexpr const char* kOfGrid = "/grid/";
+
+/// Has the numbers of an entry of a list of the design's file hang on the expressions of those of another,
+/// as far as they are the same.
+void bindAlike(std::map<std::string, BoundNumber>& bindings, const std::string& list, std::size_t entry,
+               std::size_t other) {
+  const std::string from = list + std::to_string(entry) + "/", to = list + std::to_string(other) + "/";
+  std::map<std::string, BoundNumber> copies;
+  for (auto bound = bindings.lower_bound(from); bound != bindings.end() && bound->first.starts_with(from);
+       ++bound)
+    copies[to + bound->first.substr(from.size())] = bound->second;
+  bindings.merge(copies);
+}
 
 Result<void> check(const Design& design, double thickness) {
   if (!(thickness > 0) || thickness > 2 * Cut::kMostOffset)
@@ -64,14 +81,22 @@ std::optional<double> middleHeight(const CutEvaluation& cut) {
 
 }  // namespace
 
+int gridExpressions(const Design& design) {
+  return int(std::ranges::count_if(design.bindings,
+                                   [](const auto& bound) { return bound.first.starts_with(kOfGrid); }));
+}
+
 Result<Design> withUpperMoulds(const Evaluation& evaluation, double thickness) {
   Design design = evaluation.design;
   if (Result<void> ok = check(design, thickness); !ok) return tl::unexpected<Error>(ok.error());
   design.grid.reset();
+  std::erase_if(design.bindings, [](const auto& bound) { return bound.first.starts_with(kOfGrid); });
   std::vector<StockBlock> upper;
   std::vector<Cut> cuts;
-  for (StockBlock& block : design.stock) {
-    Cut& cut = *std::ranges::find(design.cuts, block.id, &Cut::block);
+  for (std::size_t i = 0; i < design.stock.size(); ++i) {
+    StockBlock& block = design.stock[i];
+    const auto of = std::ranges::find(design.cuts, block.id, &Cut::block);
+    Cut& cut = *of;
     const CutEvaluation* made = evaluation.find(cut.id);
     const std::optional<double> middle = made ? middleHeight(*made) : std::nullopt;
     if (!middle) continue;  // the surface does not come there
@@ -87,6 +112,9 @@ Result<Design> withUpperMoulds(const Evaluation& evaluation, double thickness) {
     other.id += kUpper;
     other.block = twin.id;
     other.keep = cut.keep == KeptSide::below ? KeptSide::above : KeptSide::below;
+    bindAlike(design.bindings, "/stock/", i, design.stock.size() + upper.size());
+    bindAlike(design.bindings, "/cuts/", std::size_t(of - design.cuts.begin()),
+              design.cuts.size() + cuts.size());
     upper.push_back(std::move(twin));
     cuts.push_back(std::move(other));
   }
@@ -97,10 +125,6 @@ Result<Design> withUpperMoulds(const Evaluation& evaluation, double thickness) {
     design.stock.push_back(std::move(block));
   }
   for (Cut& cut : cuts) design.cuts.push_back(std::move(cut));
-  std::erase_if(design.bindings, [](const auto& bound) {
-    return bound.first.starts_with("/grid/") || bound.first.starts_with("/stock/") ||
-           bound.first.starts_with("/cuts/");
-  });
   return design;
 }
 

@@ -206,12 +206,16 @@ void MainWindow::makeMoulds() {
     return QString::number(count) + " " + (count == 1 ? one : many);
   };
   const std::size_t blocks = bench_.design().stock.size();
+  const int lost = pipeline::gridExpressions(bench_.design());
   bench_.editDesign(tr("Two moulds for a panel"), [&moulds](Design& design) { design = *moulds; });
   if (bench_.design() != *moulds) return;  // something of it is locked, which is told
-  bench_.tell(Topic::made, Severity::info,
-              tr("%1 for %2: the foam of both stands back from the surface by %3")
-                  .arg(counted(moulds->stock.size() - blocks, tr("upper mould"), tr("upper moulds")),
-                       counted(blocks, tr("block"), tr("blocks")), lengthText(*thickness / 2)));
+  QString words = tr("%1 for %2: the foam of both stands back from the surface by %3")
+                      .arg(counted(moulds->stock.size() - blocks, tr("upper mould"), tr("upper moulds")),
+                           counted(blocks, tr("block"), tr("blocks")), lengthText(*thickness / 2));
+  if (lost > 0)
+    words += tr(". The blocks lie in no grid any more: %1 of it that expressions told now stand as computed")
+                 .arg(counted(std::size_t(lost), tr("number"), tr("numbers")));
+  bench_.tell(Topic::made, lost > 0 ? Severity::warning : Severity::info, words);
 }
 
 void MainWindow::showMeasurePage() {
