@@ -440,6 +440,8 @@ TEST_F(TypedFields, ShowWhatTheyHold) {
   EXPECT_EQ(clearance->text(), "12.34");
   // A number with more digits than are shown keeps them when it is confirmed.
   bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 100.0 / 3; });
+  EXPECT_GT(clearance->text().size(), 2);
+  EXPECT_EQ(clearance->cursorPosition(), 0) << "a narrow field shows the leading digits";
   typeOver(*clearance, clearance->text());
   QTest::keyClick(clearance, Qt::Key_Return);
   EXPECT_EQ(bench().design().process.clearance, 100.0 / 3);

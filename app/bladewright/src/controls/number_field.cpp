@@ -105,8 +105,9 @@ void NumberField::refreshUnit() {
   unit_->setVisible(!words.isEmpty() && !text().isEmpty() && (text().startsWith(kEquals) || !ownUnitTyped()));
   const int wide = unit_->sizeHint().width();
   unit_->setGeometry(width() - kUnitMargin - wide, 0, wide, height());
-  setTextMargins(0, 0, words.isEmpty() ? 0 : wide + kUnitGap, 0);
-  const int number = fontMetrics().horizontalAdvance(text()) + (words.isEmpty() ? 0 : wide + kUnitGap);
+  const int beside = words.trimmed().isEmpty() ? 0 : wide + kUnitGap;
+  setTextMargins(0, 0, beside, 0);
+  const int number = fontMetrics().horizontalAdvance(text()) + beside;
   const int room = width() - 2 * kUnitMargin - number - kUnitGap;
   told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
   placeTold(*told_, QLatin1Char('=') + told, room);

@@ -73,6 +73,11 @@ TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::textChanged, this, [this] {
     if (!taking_ && refused()) mark({});  // the sentence was about another text
   });
+  connect(this, &QLineEdit::cursorPositionChanged, this, &TypedField::showBeginning);
+}
+
+void TypedField::showBeginning() {
+  if (!hasFocus() && !typing() && !hasSelectedText()) setCursorPosition(0);
 }
 
 bool TypedField::finish() {
@@ -253,6 +258,7 @@ void TypedField::focusOutEvent(QFocusEvent* event) {
       event->reason() == Qt::MenuBarFocusReason)
     return;
   finish();
+  showBeginning();
   watch();
   if (note_ && !beside_ && !underMouse()) note_->hide();
 }

@@ -75,6 +75,8 @@ class TypedField : public QLineEdit {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  /// Where a field is too narrow for what it holds, its beginning says most: of a number the leading digits.
+  void showBeginning();
   void mark(const QString& refusal);
   void showNote();
   bool placeNote();

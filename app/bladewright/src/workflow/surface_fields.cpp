@@ -190,11 +190,6 @@ QString FormulaField::take(const QString& text) {
   return {};
 }
 
-void FormulaField::focusOutEvent(QFocusEvent* event) {
-  TypedField::focusOutEvent(event);
-  if (!typing()) setCursorPosition(0);  // its beginning says most
-}
-
 SurfaceFields::SurfaceFields(Workbench& bench, Shows shows, QWidget* parent)
     : QWidget(parent), bench_(bench), shows_(shows) {
   auto* all = makeBox<QVBoxLayout>(this, {}, shows == Shows::whole ? kLineSpacing : 0);

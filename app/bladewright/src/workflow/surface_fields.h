@@ -37,7 +37,6 @@ class FormulaField : public TypedField {
  protected:
   QString take(const QString& text) override;
   QString valueText() const override { return QString::fromStdString(formula_); }
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   std::string formula_;
